@@ -1,0 +1,72 @@
+# The functions every module, application and test of Pneuma is declared with.
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+set(CMAKE_VERIFY_INTERFACE_HEADER_SETS ON)
+if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type" FORCE)
+endif()
+
+# Warnings and sanitizers for our own code only. Results must not depend on whether the compiler
+# fuses a multiplication with an addition, hence -ffp-contract=off.
+add_library(pneuma_compile_options INTERFACE)
+target_compile_options(
+  pneuma_compile_options
+  INTERFACE -Wall -Wextra -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -ffp-contract=off
+            $<$<BOOL:${PNEUMA_WERROR}>:-Werror>
+            "$<$<BOOL:${PNEUMA_SANITIZE}>:-fsanitize=${PNEUMA_SANITIZE};-fno-omit-frame-pointer>")
+target_link_options(pneuma_compile_options INTERFACE
+                    "$<$<BOOL:${PNEUMA_SANITIZE}>:-fsanitize=${PNEUMA_SANITIZE}>")
+
+# pneuma_add_module(<name> [HEADERS ...] [SOURCES ...] [PUBLIC ...] [PRIVATE ...])
+# A static library pneuma::<name> whose headers are included as "<name>/header.h".
+function(pneuma_add_module name)
+  cmake_parse_arguments(arg "" "" "HEADERS;SOURCES;PUBLIC;PRIVATE" ${ARGN})
+  set(target pneuma_${name})
+  if(arg_SOURCES)
+    add_library(${target} STATIC ${arg_SOURCES})
+    set(scope PUBLIC)
+    target_link_libraries(${target} PRIVATE $<BUILD_INTERFACE:pneuma_compile_options> ${arg_PRIVATE})
+    set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  else()
+    add_library(${target} INTERFACE)
+    set(scope INTERFACE)
+  endif()
+  add_library(pneuma::${name} ALIAS ${target})
+  target_sources(${target} ${scope} FILE_SET HEADERS BASE_DIRS "${PROJECT_SOURCE_DIR}/modules"
+                                                             FILES ${arg_HEADERS})
+  target_link_libraries(${target} ${scope} ${arg_PUBLIC})
+endfunction()
+
+# pneuma_add_test(<name> SOURCES ... LINK ... [LABELS ...] [RENDER])
+# One GoogleTest executable; its cases become CTest tests "<name>/Suite.Case".
+# RENDER: runs under Xvfb, and is registered only where xvfb-run exists.
+function(pneuma_add_test name)
+  cmake_parse_arguments(arg "RENDER" "" "SOURCES;LINK;LABELS" ${ARGN})
+  if(arg_RENDER AND NOT PNEUMA_XVFB_RUN)
+    message(STATUS "tests ${name}: not registered, xvfb-run is missing")
+    return()
+  endif()
+  set(target pneuma_${name}_test)
+  add_executable(${target} ${arg_SOURCES})
+  target_include_directories(${target} PRIVATE "${PROJECT_SOURCE_DIR}/tests")
+  target_link_libraries(${target} PRIVATE pneuma_compile_options ${arg_LINK} GTest::gtest
+                                          GTest::gmock GTest::gtest_main)
+  if(arg_RENDER)
+    # One process for all cases: starting an X server for each would cost more than the cases.
+    add_test(NAME ${name} COMMAND ${PNEUMA_XVFB_RUN} -a -s "-screen 0 1600x1000x24"
+                                  $<TARGET_FILE:${target}>)
+    set_tests_properties(${name} PROPERTIES LABELS "${name};render;${arg_LABELS}" TIMEOUT 600
+                         ENVIRONMENT "${PNEUMA_TEST_ENVIRONMENT}")
+  else()
+    include(GoogleTest)
+    gtest_discover_tests(
+      ${target}
+      TEST_PREFIX ${name}/
+      DISCOVERY_TIMEOUT 60
+      PROPERTIES LABELS "${name};${arg_LABELS}" TIMEOUT 600 ENVIRONMENT
+                 "${PNEUMA_TEST_ENVIRONMENT}")
+  endif()
+endfunction()
