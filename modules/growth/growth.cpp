@@ -1,0 +1,54 @@
+#include "growth/growth.h"
+
+#include <array>
+
+#include "core/error.h"
+
+namespace pneuma {
+namespace {
+
+template <class... Cases>
+struct Overloaded : Cases... {
+  using Cases::operator()...;
+};
+
+std::span<const GrowthMethod> methods() {
+  static const auto table = std::to_array<GrowthMethod>({
+      {"centroid", "Centroid splitting",
+       "Huang XY, Tan XP, Pei JM. A three dimensional fractal simulation of the lung bronchial "
+       "tree. 2004",
+       CentroidSplittingOptions{}},
+  });
+  return table;
+}
+
+}  // namespace
+
+std::span<const GrowthMethod> growthMethods() { return methods(); }
+
+const GrowthMethod& growthMethod(std::string_view name) {
+  std::vector<std::string_view> names;
+  for (const GrowthMethod& method : methods()) {
+    if (method.name == name) return method;
+    names.push_back(method.name);
+  }
+  detail::throwUnknownChoice("the growth method", name, names);
+}
+
+const GrowthMethod& growthMethod(const GrowthOptions& options) {
+  return methods()[options.index()];
+}
+
+GrowthResult growAirways(const AirwayTree& central, std::span<const LobeRegion> lobes,
+                         const GrowthOptions& options, const Progress& progress) {
+  if (lobes.empty()) throw InvalidInput("there is no lobe to grow in");
+  if (central.empty()) {
+    throw InvalidInput("there are no central airways to grow from; read some or make a template");
+  }
+  return std::visit(Overloaded{[&](const CentroidSplittingOptions& o) {
+                      return growByCentroidSplitting(central, lobes, o, progress);
+                    }},
+                    options);
+}
+
+}  // namespace pneuma
