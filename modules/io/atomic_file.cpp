@@ -1,0 +1,274 @@
+#include "io/atomic_file.h"
+
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <random>
+#include <system_error>
+#include <utility>
+
+#include <fcntl.h>
+#include <openssl/evp.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "core/error.h"
+#include "io/detail/text_fields.h"
+
+namespace pneuma {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A file descriptor that closes itself.
+class Descriptor {
+ public:
+  explicit Descriptor(int number) : number_(number) {}
+
+  ~Descriptor() {
+    if (number_ >= 0) ::close(number_);
+  }
+
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+
+  int number() const { return number_; }
+
+  bool isOpen() const { return number_ >= 0; }
+
+ private:
+  int number_;
+};
+
+fs::path folderOf(const fs::path& path) {
+  const fs::path folder = path.parent_path();
+  return folder.empty() ? fs::path(".") : folder;
+}
+
+[[noreturn]] void throwSystemError(const fs::path& path, int error) {
+  const std::string folder = quoted(folderOf(path));
+  std::string reason;
+  switch (error) {
+    case ENOSPC:
+    case EDQUOT:
+      reason = "the disk of " + folder + " is full; free some space or choose another folder";
+      break;
+    case EFBIG:
+      reason = "the file would be larger than the system allows; choose another folder";
+      break;
+    case EROFS:
+      reason = "the disk of " + folder + " is read-only; choose another folder";
+      break;
+    case EACCES:
+    case EPERM:
+      reason =
+          "the folder " + folder + " is read-only; choose another one or change its permissions";
+      break;
+    case ENOENT:
+    case ENOTDIR:
+      reason = "the folder " + folder +
+               " does not exist or takes no files; create it or choose another one";
+      break;
+    case ENAMETOOLONG:
+      reason = "the name is too long; choose a shorter one";
+      break;
+    default:
+      reason = std::generic_category().message(error) + "; choose another folder";
+  }
+  throw OutputFailed("cannot write " + quoted(path) + ": " + reason);
+}
+
+/// Where the bytes go: the file a symbolic link stands for, so that the link itself survives.
+fs::path targetOf(const fs::path& path) {
+  std::error_code error;
+  if (!fs::is_symlink(path, error)) return path;
+  const fs::path target = fs::weakly_canonical(path, error);
+  if (error) throwSystemError(path, error.value());
+  return target;
+}
+
+/// @throws OutputFailed unless `path` is free, or a file that may be replaced, in a folder
+void requireFreeName(const fs::path& path, Existing existing) {
+  if (path.filename().empty() || path.filename() == "." || path.filename() == "..") {
+    throw OutputFailed("cannot write " + quoted(path) + ": it names a folder; add a file name");
+  }
+  std::error_code error;
+  const fs::path folder = folderOf(path);
+  const fs::file_status folderStatus = fs::status(folder, error);
+  if (folderStatus.type() == fs::file_type::not_found) {
+    throw OutputFailed("cannot write " + quoted(path) + ": the folder " + quoted(folder) +
+                       " does not exist; create it first");
+  }
+  if (folderStatus.type() != fs::file_type::directory) {
+    if (error) throwSystemError(path, error.value());
+    throw OutputFailed("cannot write " + quoted(path) + ": " + quoted(folder) +
+                       " is not a folder; choose another one");
+  }
+  switch (fs::status(path, error).type()) {
+    case fs::file_type::not_found:
+      return;
+    case fs::file_type::directory:
+      throw OutputFailed("cannot write " + quoted(path) + ": it is a folder; add a file name");
+    case fs::file_type::regular:
+      if (existing == Existing::Replace) return;
+      throw OutputFailed("cannot write " + quoted(path) +
+                         ": it exists already; choose another name or allow it to be replaced");
+    case fs::file_type::none:
+      throwSystemError(path, error.value());
+    default:
+      throw OutputFailed("cannot write " + quoted(path) +
+                         ": it is a device or a pipe, not a file; choose another name");
+  }
+}
+
+/// A new file beside its target that goes away unless it takes the target's place.
+class TemporaryFile {
+ public:
+  explicit TemporaryFile(const fs::path& target) : target_(target) {
+    std::random_device random;
+    for (int attempt = 0; attempt < 16; ++attempt) {
+      std::array<char, 40> name{};
+      std::snprintf(name.data(), name.size(), ".pneuma-%08x%08x.part", random(), random());
+      path_ = folderOf(target) / name.data();
+      number_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+      if (number_ >= 0) return;
+      if (errno != EEXIST) throwSystemError(target, errno);
+    }
+    throwSystemError(target, EEXIST);
+  }
+
+  ~TemporaryFile() {
+    if (number_ >= 0) ::close(number_);
+    if (!path_.empty()) ::unlink(path_.c_str());
+  }
+
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+
+  void write(std::string_view content) const {
+    while (!content.empty()) {
+      const ssize_t written = ::write(number_, content.data(), content.size());
+      if (written < 0 && errno == EINTR) continue;
+      if (written < 0) throwSystemError(target_, errno);
+      content.remove_prefix(static_cast<std::size_t>(written));
+    }
+  }
+
+  /// Syncs, takes the target's place and syncs the folder.
+  void commit(Existing existing) {
+    struct stat old {};
+
+    if (::stat(target_.c_str(), &old) == 0) ::fchmod(number_, old.st_mode & 07777);
+    if (::fsync(number_) != 0 || ::close(std::exchange(number_, -1)) != 0) {
+      throwSystemError(target_, errno);
+    }
+    if (existing == Existing::Refuse) {
+      takeFreeName();
+    } else if (::rename(path_.c_str(), target_.c_str()) != 0) {
+      throwSystemError(target_, errno);
+    }
+    path_.clear();
+    // Some file systems cannot sync a folder; the file itself is safe by now.
+    const Descriptor folder(::open(folderOf(target_).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    if (folder.isOpen()) ::fsync(folder.number());
+  }
+
+ private:
+  void takeFreeName() const {
+    // link() fails if the name was taken meanwhile; rename() would replace that file.
+    if (::link(path_.c_str(), target_.c_str()) == 0) {
+      ::unlink(path_.c_str());
+      return;
+    }
+    const int error = errno;
+    requireFreeName(target_, Existing::Refuse);
+    // Disks without hard links (FAT, some network disks).
+    const bool noLinks = error == EPERM || error == EOPNOTSUPP || error == ENOSYS;
+    if (!noLinks || ::rename(path_.c_str(), target_.c_str()) != 0) {
+      throwSystemError(target_, noLinks ? errno : error);
+    }
+  }
+
+  fs::path target_;
+  fs::path path_;
+  int number_ = -1;
+};
+
+}  // namespace
+
+void requireWritable(const fs::path& path, Existing existing) {
+  const fs::path target = targetOf(path);
+  requireFreeName(target, existing);
+  // Permissions, read-only disks and odd file systems: trying is the one sure test.
+  const TemporaryFile probe(target);
+}
+
+void writeFile(const fs::path& path, std::string_view content, Existing existing) {
+  const fs::path target = targetOf(path);
+  requireFreeName(target, existing);
+  TemporaryFile file(target);
+  file.write(content);
+  file.commit(existing);
+}
+
+std::string readFile(const fs::path& path, std::size_t limit) {
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (status.type() == fs::file_type::not_found) {
+    throw InputMissing("there is no file " + quoted(path) + "; check its name and folder");
+  }
+  if (status.type() == fs::file_type::directory) {
+    throw InputMissing(quoted(path) + " is a folder; name a file in it");
+  }
+  // Opened without waiting: a pipe that nobody writes to must not hang the program.
+  const Descriptor file(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
+
+  struct stat information {};
+
+  if (!file.isOpen() || ::fstat(file.number(), &information) != 0) {
+    throw InputMissing("cannot read " + quoted(path) + ": " +
+                       std::generic_category().message(errno) + "; check its permissions");
+  }
+  if (!S_ISREG(information.st_mode)) {
+    throw InputMissing(quoted(path) + " is a device or a pipe; name a file");
+  }
+  const std::size_t size = static_cast<std::size_t>(information.st_size);
+  if (size > limit) {
+    throw InvalidInput(quoted(path) + " has " + std::to_string(size) +
+                       " bytes, more than the limit of " + std::to_string(limit) +
+                       "; is it the right file?");
+  }
+  std::string content(size, '\0');
+  std::size_t filled = 0;
+  while (filled < size) {
+    const ssize_t count = ::read(file.number(), content.data() + filled, size - filled);
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) {
+      throw InputMissing("cannot read " + quoted(path) + ": " +
+                         std::generic_category().message(errno));
+    }
+    if (count == 0) break;
+    filled += static_cast<std::size_t>(count);
+  }
+  content.resize(filled);
+  return content;
+}
+
+std::string sha256(std::string_view content) {
+  std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
+  unsigned int size = 0;
+  if (EVP_Digest(content.data(), content.size(), digest.data(), &size, EVP_sha256(), nullptr) !=
+      1) {
+    throw Error(ExitCode::Internal, "OpenSSL could not compute a SHA-256");
+  }
+  constexpr std::string_view Digits = "0123456789abcdef";
+  std::string text;
+  text.reserve(2 * std::size_t{size});
+  for (unsigned int i = 0; i < size; ++i) {
+    text += Digits[digest[i] >> 4];
+    text += Digits[digest[i] & 15];
+  }
+  return text;
+}
+
+}  // namespace pneuma

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/triangle_mesh.h"
+
+namespace pneuma {
+
+/// A surface as it stands in a file, converted to LPS but to nothing else.
+struct SurfaceFile {
+  TriangleMesh mesh;               ///< equal points joined, polygons cut into triangles
+  std::string format;              ///< "STL", "OBJ", "PLY", "VTP"
+  std::string space;               ///< "LPS" or "RAS" as the file says, "" if it does not
+  std::vector<std::string> notes;  ///< whole sentences: what was converted or left out
+};
+
+/// Reads STL (binary or ASCII), OBJ, PLY or VTP. The content decides on the format, then the
+/// extension. Sizes are checked before anything is allocated.
+/// @throws InputMissing, InvalidInput (empty, truncated, garbage, NaN, no triangles), Unsupported
+SurfaceFile readSurface(const std::filesystem::path& path);
+
+/// True if the extension is one of readSurface's.
+bool isSurfaceFileName(const std::filesystem::path& path);
+
+/// What a file says about the coordinates in it.
+struct SurfaceTags {
+  std::string space = "LPS";  ///< "LPS" or "RAS"
+  std::string units = "mm";   ///< "mm", "cm" or "m"
+};
+
+/// Writes STL (binary), PLY, OBJ or VTP by the extension. Coordinates are written as they are;
+/// the file says by `tags` what they are.
+/// @throws OutputFailed; Unsupported for another extension
+void writeSurface(const std::filesystem::path& path, const TriangleMesh& mesh,
+                  const SurfaceTags& tags = {});
+
+}  // namespace pneuma

@@ -1,0 +1,226 @@
+#include "io/surface_file.h"
+
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/error.h"
+#include "io/atomic_file.h"
+#include "io/tree_file.h"
+#include "io_samples.h"
+#include "temp_folder.h"
+
+namespace pneuma {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using testing::sampleSurface;
+using testing::sampleTree;
+using testing::TempFolder;
+
+SurfaceFile read(const std::string& name, const std::string& content) {
+  const TempFolder folder;
+  return readSurface(folder.put(name, content));
+}
+
+void expectRefused(const std::string& name, const std::string& content, const std::string& reason) {
+  try {
+    read(name, content);
+    ADD_FAILURE() << name << " accepted, though: " << reason;
+  } catch (const InvalidInput& error) {
+    EXPECT_THAT(error.what(), HasSubstr(reason));
+    EXPECT_THAT(error.what(), HasSubstr(name));
+  }
+}
+
+std::string bytesOf(const TriangleMesh& mesh, const std::string& extension,
+                    const SurfaceTags& tags = {}) {
+  const TempFolder folder;
+  writeSurface(folder / ("s" + extension), mesh, tags);
+  return readFile(folder / ("s" + extension));
+}
+
+class SurfaceFormat : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(SurfaceFormat, ReadsBackEqual) {
+  const std::string extension = GetParam();
+  const TriangleMesh mesh = sampleSurface();
+  const SurfaceFile file = read("s" + extension, bytesOf(mesh, extension));
+  EXPECT_EQ(file.space, "LPS");
+  EXPECT_THAT(file.notes, IsEmpty());
+  ASSERT_EQ(file.mesh.triangles.size(), mesh.triangles.size());
+  EXPECT_EQ(file.mesh.points.size(), mesh.points.size());
+  // VTP keeps all digits; the readers of the others work with floats.
+  const double tolerance = extension == ".vtp" ? 0.0 : 1e-5;
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      const Vec3& p = file.mesh.points[file.mesh.triangles[i][corner]];
+      EXPECT_LE((p - mesh.points[mesh.triangles[i][corner]]).norm(), tolerance);
+    }
+  }
+  EXPECT_NEAR(signedVolumeMm3(file.mesh), signedVolumeMm3(mesh), 1e-2);
+}
+
+TEST_P(SurfaceFormat, IsTurnedToLpsIfItSaysRas) {
+  const std::string extension = GetParam();
+  const std::string content = bytesOf(sampleSurface(), extension, {.space = "RAS"});
+  const SurfaceFile file = read("s" + extension, content);
+  EXPECT_EQ(file.space, "RAS");
+  EXPECT_THAT(file.notes, ::testing::ElementsAre(HasSubstr("RAS")));
+  EXPECT_NEAR(bounds(file.mesh).min().x(), -30.2, 1e-5);
+  EXPECT_NEAR(bounds(file.mesh).min().y(), -40.3, 1e-5);
+  EXPECT_NEAR(bounds(file.mesh).max().z(), 50.4, 1e-5);
+  EXPECT_NEAR(signedVolumeMm3(file.mesh), signedVolumeMm3(sampleSurface()), 1e-2);
+}
+
+TEST_P(SurfaceFormat, IsKnownByItsContent) {
+  const std::string extension = GetParam();
+  const TempFolder folder;
+  const auto path = folder.put("s.dat", bytesOf(sampleSurface(), extension));
+  const SurfaceFile file = readSurface(path);
+  EXPECT_EQ(file.mesh.triangles.size(), 4U);
+  EXPECT_THAT(file.notes, ::testing::ElementsAre(HasSubstr("s.dat")));
+  EXPECT_FALSE(isTreeFile(path));
+}
+
+INSTANTIATE_TEST_SUITE_P(Formats, SurfaceFormat, ::testing::Values(".stl", ".obj", ".ply", ".vtp"),
+                         [](const auto& parameter) { return std::string(parameter.param + 1); });
+
+constexpr const char* AsciiStl =
+    "solid t\nfacet normal 0 0 1\n outer loop\n  vertex 0 0 0\n  vertex 1 0 0\n"
+    "  vertex 0 1e1 0\n endloop\nendfacet\nendsolid t\n";
+
+TEST(ReadStl, TakesAscii) {
+  const SurfaceFile file = read("a.stl", AsciiStl);
+  EXPECT_EQ(file.format, "STL");
+  ASSERT_EQ(file.mesh.points.size(), 3U);
+  EXPECT_EQ(file.mesh.points[2], Vec3(0, 10, 0));
+}
+
+TEST(ReadStl, TakesBinaryWhoseHeadBeginsLikeAscii) {
+  std::string content = bytesOf(sampleSurface(), ".stl");
+  content.replace(0, 12, "solid facet ");
+  EXPECT_EQ(read("a.stl", content).mesh.triangles.size(), 4U);
+}
+
+TEST(ReadStl, TakesBinaryOfASingleTriangle) {
+  TriangleMesh mesh = sampleSurface();
+  mesh.triangles.resize(1);
+  EXPECT_EQ(read("a.stl", bytesOf(mesh, ".stl")).mesh.triangles.size(), 1U);
+}
+
+TEST(ReadStl, NamesWhatIsWrong) {
+  const std::string ascii = AsciiStl;
+  expectRefused("a.stl", "", "empty");
+  expectRefused("a.stl", "solid", "only 5 bytes");
+  expectRefused("a.stl", ascii.substr(0, 80), "cut off");
+  expectRefused("a.stl", ascii.substr(0, ascii.find("endsolid")), "no \"endsolid\"");
+  expectRefused("a.stl", "solid t\nfacet\nvertex 0 zero 0\n",
+                "line 3: a vertex needs three numbers");
+  expectRefused("a.stl", "solid t\n facet\nendsolid t\n", "no triangle");
+  std::string binary = bytesOf(sampleSurface(), ".stl");
+  expectRefused("a.stl", binary.substr(0, 200), "4 triangles, which take 284 bytes, but has 200");
+  expectRefused("a.stl", binary + "more", "284 bytes, but has 288");
+  const float nan = std::nanf("");
+  std::memcpy(binary.data() + 84 + 12, &nan, sizeof(nan));
+  expectRefused("a.stl", binary, "not a number");
+  std::string none = binary.substr(0, 84);
+  none.replace(80, 4, std::string(4, '\0'));
+  expectRefused("a.stl", none, "no triangle");
+}
+
+TEST(ReadObj, CutsPolygonsAndTakesAllKindsOfIndices) {
+  const SurfaceFile file = read("a.obj",
+                                "# by hand\nv 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nvn 0 0 1\n"
+                                "f 1//1 2//1 3//1 4//1\nv 5 5 5\nf 5//1 4//1 3//1\n");
+  EXPECT_EQ(file.mesh.triangles.size(), 3U);
+  EXPECT_EQ(file.mesh.points.size(), 5U);
+  EXPECT_THAT(file.notes, ::testing::ElementsAre(HasSubstr("cut into 3 triangles")));
+  // A square of 2 and a triangle on one of its sides with a height of sqrt(34).
+  EXPECT_NEAR(areaMm2(file.mesh), 4.0 + std::sqrt(34.0), 1e-5);
+}
+
+TEST(ReadObj, NamesWhatIsWrong) {
+  const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+  expectRefused("a.obj", points + "f 1 2 4\n", "point 4 of 3");
+  expectRefused("a.obj", points + "f 0 1 2\n", "line 4 names a point that is none: \"0\"");
+  expectRefused("a.obj", points + "f -1 1 2\n", "line 4 counts points backwards");
+  expectRefused("a.obj", points + "f 1 2\n", "fewer than three");
+  expectRefused("a.obj", points + "f 1 2 x\n", "line 4 names a point");
+  expectRefused("a.obj", "v 0 nan 0\n", "line 1 has no three coordinates");
+  expectRefused("a.obj", "v 0 0\n", "line 1 has no three coordinates");
+  expectRefused("a.obj", points, "no triangle");
+  expectRefused("a.obj", points + "f " + std::string(5000, ' ') + "1 2 3\n", "longer than");
+}
+
+std::string ply(const std::string& vertices, const std::string& faces, int vertexCount = 3,
+                int faceCount = 1) {
+  return "ply\nformat ascii 1.0\ncomment SPACE=LPS\nelement vertex " + std::to_string(vertexCount) +
+         "\nproperty float x\nproperty float y\nproperty float z\nelement face " +
+         std::to_string(faceCount) + "\nproperty list uchar int vertex_indices\nend_header\n" +
+         vertices + faces;
+}
+
+TEST(ReadPly, TakesAscii) {
+  const SurfaceFile file = read("a.ply", ply("0 0 0\n1 0 0\n0 1 0\n", "3 0 1 2\n"));
+  EXPECT_EQ(file.mesh.triangles.size(), 1U);
+  EXPECT_EQ(file.space, "LPS");
+}
+
+TEST(ReadPly, NamesWhatIsWrong) {
+  const std::string points = "0 0 0\n1 0 0\n0 1 0\n";
+  expectRefused("a.ply", ply(points, "3 0 1 3\n"), "point 3 of 3");
+  expectRefused("a.ply", ply(points, "3 0 1 -1\n"), "point -1 of 3");
+  expectRefused("a.ply", ply(points, "3 0 1\n"), "incomplete");
+  expectRefused("a.ply", ply(points, "", 3, 1), "ends too early");
+  expectRefused("a.ply", ply(points, "", 3, 0), "no triangle");
+  expectRefused("a.ply", ply(points, "3 0 1 2\n", 2000000000), "cannot be");
+  expectRefused("a.ply", ply("0 0 0\nnan 0 0\n0 1 0\n", "3 0 1 2\n"), "not a number");
+  expectRefused("a.ply", ply(points, std::string(5000, ' ') + "3 0 1 2\n"), "4000 characters");
+  expectRefused("a.ply", "ply\nformat ascii 1.0\nend_header\n", "no element \"vertex\"");
+}
+
+TEST(ReadSurface, RefusesWhatIsNoSurface) {
+  const std::string tree = treeText(sampleTree(), "vtp");
+  expectRefused("tree.vtp", tree, "airway tree?");
+  expectRefused("a.vtp", "no xml\n", "VTP");
+  expectRefused("a.ply", std::string(100, '\1'), "PLY");
+  EXPECT_THROW(read("a.txt", "words\n"), Unsupported);
+  EXPECT_THROW(readSurface("none.stl"), InputMissing);
+  EXPECT_THROW(readSurface("/"), InputMissing);
+}
+
+TEST(WriteSurface, RefusesWhatCouldNotBeReadBack) {
+  const TempFolder folder;
+  TriangleMesh mesh;
+  EXPECT_THROW(writeSurface(folder / "a.stl", mesh), InvalidInput);
+  mesh = sampleSurface();
+  EXPECT_THROW(writeSurface(folder / "a.vtu", mesh), Unsupported);
+  mesh.points[0].x() = std::nan("");
+  EXPECT_THROW(writeSurface(folder / "a.stl", mesh), InvalidInput);
+  EXPECT_EQ(folder.fileCount(), 0U);
+}
+
+TEST(ReadRealLobes, AreClosedAndHaveThePublishedVolume) {
+  const char* data = std::getenv("PNEUMA_TEST_DATA");
+  if (data == nullptr || *data == '\0') GTEST_SKIP() << "PNEUMA_TEST_DATA is not set";
+  double volume = 0.0;
+  std::size_t triangles = 0;
+  for (const char* lobe : {"rul", "rml", "rll", "lul", "lll"}) {
+    const SurfaceFile file =
+        readSurface(std::string(data) + "/lobes_airways_chaste/" + lobe + ".stl");
+    // Euler: a closed surface like a ball has F = 2 V - 4 once equal points are joined.
+    EXPECT_EQ(file.mesh.triangles.size(), 2 * file.mesh.points.size() - 4) << lobe;
+    triangles += file.mesh.triangles.size();
+    volume += signedVolumeMm3(file.mesh);
+  }
+  EXPECT_EQ(triangles, 183964U);
+  EXPECT_NEAR(volume, 7.568e6, 0.002e6);
+}
+
+}  // namespace
+}  // namespace pneuma
