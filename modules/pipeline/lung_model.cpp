@@ -1,0 +1,260 @@
+#include "pipeline/lung_model.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+
+#include "anatomy/central_airways.h"
+#include "anatomy/right_lung.h"
+#include "core/error.h"
+#include "core/parallel.h"
+#include "geometry/surface_domain.h"
+#include "io/atomic_file.h"
+#include "io/surface_file.h"
+#include "io/tree_file.h"
+
+namespace pneuma {
+namespace {
+
+namespace fs = std::filesystem;
+
+double secondsSince(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+std::string quoted(const fs::path& path) { return "'" + path.string() + "'"; }
+
+InputFile inputFile(const fs::path& path) { return {path.string(), sha256(readFile(path))}; }
+
+/// The files of a folder that are surfaces of a lobe or a lung by name, sorted.
+std::vector<fs::path> lobeFilesIn(const fs::path& folder) {
+  std::vector<fs::path> files;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(folder, error)) {
+    if (entry.is_regular_file() && isSurfaceFileName(entry.path()) &&
+        lobeOfFileName(entry.path().filename().string()).has_value()) {
+      files.push_back(entry.path());
+    }
+  }
+  if (error) throw InputMissing("the folder " + quoted(folder) + " cannot be read");
+  std::ranges::sort(files);
+  return files;
+}
+
+std::vector<fs::path> expanded(std::span<const fs::path> paths) {
+  std::vector<fs::path> files;
+  for (const fs::path& path : paths) {
+    if (!fs::is_directory(path)) {
+      files.push_back(path);
+      continue;
+    }
+    const std::vector<fs::path> found = lobeFilesIn(path);
+    if (found.empty()) {
+      throw InvalidInput("the folder " + quoted(path) +
+                         " holds no lobe surface; file names must carry rul, rml, rll, lul or lll "
+                         "and end in .stl, .obj, .ply or .vtp");
+    }
+    files.insert(files.end(), found.begin(), found.end());
+  }
+  return files;
+}
+
+/// Lobes by file name; a single file may be called anything.
+std::vector<Lobe> lobesOf(const std::vector<fs::path>& files) {
+  std::vector<Lobe> lobes;
+  for (const fs::path& file : files) {
+    const std::optional<Lobe> lobe = lobeOfFileName(file.filename().string());
+    if (!lobe.has_value() && files.size() > 1) {
+      throw InvalidInput("which lobe is " + quoted(file) +
+                         "? Among several surfaces, each file name must carry rul, rml, rll, lul "
+                         "or lll");
+    }
+    const Lobe named = lobe.value_or(Lobe::Whole);
+    const auto before = std::ranges::find(lobes, named);
+    if (before != lobes.end()) {
+      throw InvalidInput(quoted(files[static_cast<std::size_t>(before - lobes.begin())]) + " and " +
+                         quoted(file) + " are both the " + std::string(longName(named)) +
+                         " by name; give one file per lobe");
+    }
+    lobes.push_back(named);
+  }
+  return lobes;
+}
+
+/// @throws InvalidInput if a surface is not fit to grow in
+void requireFit(const LobeSurface& surface) {
+  const MeshReport& health = surface.health;
+  if (health.unitsGuess == "m") {
+    throw InvalidInput("'" + surface.name + "' is " +
+                       std::to_string(health.box.sizes().maxCoeff()) +
+                       " mm large: it seems to be in metres; convert it with 'pneuma export "
+                       "--from-units m'");
+  }
+  if (health.fitToGrow()) return;
+  const std::vector<std::string> wrong = complaints(health);
+  throw InvalidInput("'" + surface.name + "' is not fit to grow in: " +
+                     (wrong.empty() ? "it encloses no volume" : wrong.front()));
+}
+
+std::shared_ptr<const std::vector<LobeRegion>> regionsOf(const std::vector<LobeSurface>& surfaces) {
+  for (const LobeSurface& surface : surfaces) requireFit(surface);
+  auto regions = std::make_shared<std::vector<LobeRegion>>(surfaces.size());
+  parallelFor(surfaces.size(), [&](std::size_t i) {
+    (*regions)[i] = {surfaces[i].lobe, std::make_shared<SurfaceDomain>(*surfaces[i].mesh)};
+  });
+  return regions;
+}
+
+bool hasGrownBranches(const AirwayTree& tree) {
+  return std::ranges::any_of(tree, [](const Branch& b) { return b.origin == Origin::Grown; });
+}
+
+constexpr std::array<std::string_view, 1> Organs = {"right-lung"};
+
+}  // namespace
+
+std::shared_ptr<const AirwayTree> treeOf(const LungModel& model) {
+  if (model.growth) {
+    // Shares the growth's life, points at its tree.
+    return {model.growth, &model.growth->result.tree};
+  }
+  return model.opened ? model.opened : model.central;
+}
+
+LungModel openLobes(std::span<const fs::path> paths, const Progress& progress) {
+  const auto start = std::chrono::steady_clock::now();
+  const std::vector<fs::path> files = expanded(paths);
+  if (files.empty()) throw InvalidInput("there is no surface to open");
+  const std::vector<Lobe> lobes = lobesOf(files);
+
+  LungModel model;
+  model.inputs.resize(files.size());
+  auto surfaces = std::make_shared<std::vector<LobeSurface>>(files.size());
+  std::vector<std::vector<std::string>> notes(files.size());
+  parallelFor(files.size(), [&](std::size_t i) {
+    progress.throwIfStopped();
+    SurfaceFile file = readSurface(files[i]);
+    model.inputs[i] = inputFile(files[i]);
+    for (std::string& note : file.notes) {
+      notes[i].push_back(files[i].filename().string() + ": " + note);
+    }
+    LobeSurface& surface = (*surfaces)[i];
+    surface.lobe = lobes[i];
+    surface.name = files[i].filename().string();
+    surface.health = examine(file.mesh, SelfIntersections::Ask, progress);
+    surface.mesh = std::make_shared<const TriangleMesh>(std::move(file.mesh));
+  });
+  for (const auto& some : notes) {
+    model.warnings.insert(model.warnings.end(), some.begin(), some.end());
+  }
+  for (const LobeSurface& surface : *surfaces) {
+    if (surface.health.unitsGuess == "cm") {
+      model.warnings.push_back(surface.name + " is small for a human lobe: is it in centimetres?");
+    }
+    if (surface.health.fitToGrow() && !surface.health.healthy()) {
+      model.warnings.push_back(
+          surface.name + ": " + std::to_string(surface.health.selfIntersections) +
+          " pairs of triangles cut each other; few enough to grow in, and 'pneuma repair' mends "
+          "them");
+    }
+  }
+  std::ranges::stable_sort(*surfaces, {}, &LobeSurface::lobe);
+  model.surfaces = std::move(surfaces);
+  model.readSeconds = secondsSince(start);
+  progress.report(1.0);
+  return model;
+}
+
+LungModel withCentral(const LungModel& model, const fs::path& path) {
+  const auto start = std::chrono::steady_clock::now();
+  LungModel next = model;
+  TreeFile file = readTree(path);
+  if (hasGrownBranches(file.tree)) {
+    throw InvalidInput(quoted(path) +
+                       " holds a grown tree, not central airways; grow from the central airways it "
+                       "was grown from");
+  }
+  for (const std::string& note : file.notes) {
+    next.warnings.push_back(path.filename().string() + ": " + note);
+  }
+  next.central = std::make_shared<const AirwayTree>(std::move(file.tree));
+  next.inputs.push_back(inputFile(path));
+  next.growth = nullptr;
+  next.readSeconds += secondsSince(start);
+  return next;
+}
+
+LungModel openFiles(std::span<const fs::path> paths, const Progress& progress) {
+  std::vector<fs::path> surfaces;
+  std::vector<fs::path> trees;
+  for (const fs::path& path : paths) {
+    if (fs::is_directory(path)) {
+      surfaces.push_back(path);
+      std::error_code error;
+      for (const auto& entry : fs::directory_iterator(path, error)) {
+        if (entry.is_regular_file() && entry.path().stem() == "central") {
+          trees.push_back(entry.path());
+        }
+      }
+    } else if (fs::exists(path) && isTreeFile(path)) {
+      trees.push_back(path);
+    } else {
+      surfaces.push_back(path);
+    }
+  }
+  LungModel model;
+  if (!surfaces.empty()) model = openLobes(surfaces, progress.part(0.0, 0.9, "reading surfaces"));
+  for (const fs::path& path : trees) {
+    progress.throwIfStopped();
+    TreeFile file = readTree(path);
+    for (const std::string& note : file.notes) {
+      model.warnings.push_back(path.filename().string() + ": " + note);
+    }
+    auto& slot = hasGrownBranches(file.tree) ? model.opened : model.central;
+    slot = std::make_shared<const AirwayTree>(std::move(file.tree));
+    model.inputs.push_back(inputFile(path));
+  }
+  progress.report(1.0);
+  return model;
+}
+
+std::span<const std::string_view> organNames() { return Organs; }
+
+LungModel openOrgan(std::string_view name) {
+  if (name != Organs[0]) {
+    detail::throwUnknownChoice("the organ", name, {Organs.begin(), Organs.end()});
+  }
+  RightLung lung = rightLung();
+  LungModel model;
+  model.regions = std::make_shared<const std::vector<LobeRegion>>(std::move(lung.lobes));
+  model.central = std::make_shared<const AirwayTree>(std::move(lung.central));
+  return model;
+}
+
+LungModel grow(const LungModel& model, const GrowthOptions& options, const Progress& progress) {
+  if (!model.regions && (!model.surfaces || model.surfaces->empty())) {
+    throw InvalidInput("there is no lobe to grow in; open the surfaces of the lobes first");
+  }
+  LungModel next = model;
+  auto start = std::chrono::steady_clock::now();
+  progress.part(0.0, 0.1, "preparing the lobes").report(0.0);
+  if (!next.regions) next.regions = regionsOf(*next.surfaces);
+  if (!next.central) {
+    next.central = std::make_shared<const AirwayTree>(templateAirways(*next.regions));
+  }
+  auto growth = std::make_shared<Growth>();
+  growth->options = options;
+  growth->domainSeconds = secondsSince(start);
+  start = std::chrono::steady_clock::now();
+  growth->result =
+      growAirways(*next.central, *next.regions, options, progress.part(0.1, 0.9, "growing"));
+  growth->growSeconds = secondsSince(start);
+  progress.part(0.9, 1.0, "checking the tree").report(0.0);
+  growth->outside = outsideTheirLobe(growth->result.tree, *next.regions);
+  next.growth = std::move(growth);
+  progress.report(1.0);
+  return next;
+}
+
+}  // namespace pneuma
