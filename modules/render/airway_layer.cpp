@@ -1,0 +1,123 @@
+#include "render/airway_layer.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkRenderer.h>
+
+#include "render/convert.h"
+#include "render/tube_mesh.h"
+
+namespace pneuma {
+namespace {
+
+constexpr double LineBelowMm = 0.6;  // while dragging, thinner airways are lines
+constexpr Rgb Highlight = rgbOfHex(0xff5a1f);
+
+void show(vtkActor* actor, vtkPolyData* data) {
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(data);
+  mapper->SetScalarModeToUsePointData();
+  mapper->StaticOn();
+  actor->SetMapper(mapper);
+}
+
+void makeShiny(vtkActor* actor) {
+  vtkProperty* property = actor->GetProperty();
+  property->SetAmbient(0.10);
+  property->SetDiffuse(0.92);
+  property->SetSpecular(0.22);
+  property->SetSpecularPower(24.0);
+  property->SetInterpolationToPhong();
+}
+
+/// True if tubes or their colours would come out differently.
+bool differInTubes(const SceneOptions& a, const SceneOptions& b) {
+  return a.colourBy != b.colourBy || a.palette != b.palette || a.background != b.background ||
+         a.maxGeneration != b.maxGeneration || a.radiusScale != b.radiusScale;
+}
+
+}  // namespace
+
+AirwayLayer::AirwayLayer(vtkRenderer* renderer) {
+  for (vtkActor* actor : {tubes_.Get(), coarseTubes_.Get(), coarseLines_.Get(), selection_.Get()}) {
+    makeShiny(actor);
+    actor->VisibilityOff();
+    actor->PickableOff();
+    renderer->AddActor(actor);
+  }
+  coarseLines_->GetProperty()->LightingOff();
+  coarseLines_->GetProperty()->SetLineWidth(1.5F);
+  selection_->GetProperty()->SetAmbient(0.45);
+}
+
+void AirwayLayer::setTree(std::shared_ptr<const AirwayTree> tree, const SceneOptions& options) {
+  tree_ = std::move(tree);
+  if (tree_ != nullptr && tree_->empty()) tree_.reset();
+  options_ = options;
+  selected_.reset();
+  rebuild();
+}
+
+void AirwayLayer::setOptions(const SceneOptions& options) {
+  const SceneOptions before = std::exchange(options_, options);
+  if (differInTubes(before, options_)) rebuild();
+}
+
+void AirwayLayer::setInteractive(bool interactive) {
+  interactive_ = interactive;
+  if (interactive && !coarseBuilt_) buildCoarse();
+  tubes_->SetVisibility(tree_ != nullptr && !interactive);
+  coarseTubes_->SetVisibility(tree_ != nullptr && interactive);
+  coarseLines_->SetVisibility(tree_ != nullptr && interactive);
+}
+
+void AirwayLayer::select(std::optional<std::size_t> branch) {
+  selected_ = branch;
+  if (tree_ == nullptr || (branch.has_value() && *branch >= tree_->size())) selected_.reset();
+  buildSelection();
+}
+
+void AirwayLayer::rebuild() {
+  coarseBuilt_ = false;
+  colours_ = {};
+  visible_.clear();
+  lobes_.clear();
+  if (tree_ != nullptr) {
+    visible_ = branchesUpTo(*tree_, options_.maxGeneration);
+    for (std::size_t i = 0; i < tree_->size(); ++i) {
+      if (visible_[i]) lobes_.insert((*tree_)[i].lobe);
+    }
+    colours_ = branchColours(*tree_, visible_, options_);
+    show(tubes_, polyDataOf(tubeMesh(*tree_, visible_, colours_.colours,
+                                     {.radiusScale = options_.radiusScale})));
+  }
+  setInteractive(interactive_);
+  buildSelection();
+}
+
+void AirwayLayer::buildCoarse() {
+  coarseBuilt_ = true;
+  if (tree_ == nullptr) return;
+  const TubeOptions wide = {.radiusScale = options_.radiusScale, .minRadiusMm = LineBelowMm};
+  show(coarseTubes_, polyDataOf(tubeMesh(*tree_, visible_, colours_.colours, wide)));
+  show(coarseLines_, polyDataOf(lineMesh(*tree_, visible_, colours_.colours, LineBelowMm)));
+}
+
+void AirwayLayer::buildSelection() {
+  selection_->SetVisibility(selected_.has_value());
+  if (!selected_.has_value()) return;
+  // The branch alone, thicker than it is so that it stands out and covers its own tube.
+  Branch branch = (*tree_)[*selected_];
+  branch.parent = -1;
+  const double scale = std::max(1.15, 1.0 + 0.35 / std::max(branch.radiusMm, 0.05));
+  AirwayTree alone;
+  alone.add(std::move(branch));
+  show(selection_, polyDataOf(tubeMesh(alone, {true}, {Highlight},
+                                       {.radiusScale = scale * options_.radiusScale})));
+}
+
+}  // namespace pneuma

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <set>
+#include <vector>
+
+#include <vtkActor.h>
+#include <vtkNew.h>
+
+#include "anatomy/airway_tree.h"
+#include "render/branch_colours.h"
+#include "render/scene.h"
+
+class vtkRenderer;
+
+namespace pneuma {
+
+/// The airways of a scene: tubes, lines for dragging, and the selected branch.
+class AirwayLayer {
+ public:
+  explicit AirwayLayer(vtkRenderer* renderer);
+
+  /// Null for no tree.
+  void setTree(std::shared_ptr<const AirwayTree> tree, const SceneOptions& options);
+
+  /// Rebuilds colours and tubes as far as the options ask for it.
+  void setOptions(const SceneOptions& options);
+
+  void setInteractive(bool interactive);
+
+  void select(std::optional<std::size_t> branch);
+
+  const AirwayTree* tree() const { return tree_.get(); }
+
+  /// One entry per branch.
+  const std::vector<bool>& visible() const { return visible_; }
+
+  /// The lobes of the visible branches.
+  const std::set<Lobe>& lobes() const { return lobes_; }
+
+  const Legend& legend() const { return colours_.legend; }
+
+ private:
+  void rebuild();
+  void buildCoarse();
+  void buildSelection();
+
+  std::shared_ptr<const AirwayTree> tree_;
+  SceneOptions options_;
+  std::vector<bool> visible_;
+  std::set<Lobe> lobes_;
+  BranchColours colours_;
+  std::optional<std::size_t> selected_;
+  bool interactive_ = false;
+  bool coarseBuilt_ = false;
+  vtkNew<vtkActor> tubes_;
+  vtkNew<vtkActor> coarseTubes_;
+  vtkNew<vtkActor> coarseLines_;
+  vtkNew<vtkActor> selection_;
+};
+
+}  // namespace pneuma

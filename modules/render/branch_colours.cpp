@@ -1,0 +1,107 @@
+#include "render/branch_colours.h"
+
+#include <algorithm>
+#include <limits>
+#include <set>
+#include <utility>
+
+#include "anatomy/branch_order.h"
+#include "render/colour_map.h"
+
+namespace pneuma {
+namespace {
+
+std::vector<double> values(const AirwayTree& tree, ColourBy quantity) {
+  std::vector<double> result(tree.size());
+  if (quantity == ColourBy::Generation || quantity == ColourBy::Strahler) {
+    const std::vector<int> orders =
+        quantity == ColourBy::Generation ? generations(tree) : strahlerOrders(tree);
+    std::copy(orders.begin(), orders.end(), result.begin());
+  } else if (quantity == ColourBy::Diameter) {
+    std::transform(tree.begin(), tree.end(), result.begin(),
+                   [](const Branch& branch) { return 2.0 * branch.radiusMm; });
+  } else {
+    result = flowFractions(tree);
+  }
+  return result;
+}
+
+std::pair<Scale::Kind, std::string> kindAndTitle(ColourBy quantity) {
+  switch (quantity) {
+    case ColourBy::Generation:
+      return {Scale::Kind::Count, "Generation"};
+    case ColourBy::Strahler:
+      return {Scale::Kind::Count, "Strahler order"};
+    case ColourBy::Diameter:
+      return {Scale::Kind::LogarithmicMm, "Diameter, mm"};
+    default:
+      return {Scale::Kind::LogarithmicShare, "Share of flow"};
+  }
+}
+
+BranchColours colouredByValue(const AirwayTree& tree, const std::vector<bool>& visible,
+                              const SceneOptions& options) {
+  const auto [kind, title] = kindAndTitle(options.colourBy);
+  const bool logarithmic = kind != Scale::Kind::Count;
+  const std::vector<double> value = values(tree, options.colourBy);
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  for (std::size_t i = 0; i < tree.size(); ++i) {
+    // A branch without diameter or flow has no place on a logarithmic scale; it gets the lowest.
+    if (!visible[i] || (logarithmic && !(value[i] > 0.0))) continue;
+    low = std::min(low, value[i]);
+    high = std::max(high, value[i]);
+  }
+  if (low > high) low = high = 1.0;
+  const Scale scale(kind, low, high);
+  BranchColours result;
+  result.legend = scale.legend(title, options.background);
+  result.colours.reserve(tree.size());
+  for (const double v : value) {
+    const double t = logarithmic && !(v > 0.0) ? 0.0 : scale.position(v);
+    result.colours.push_back(onBackground(scaleColour(t), options.background));
+  }
+  return result;
+}
+
+BranchColours colouredBySegment(const AirwayTree& tree, const std::vector<bool>& visible,
+                                Background background) {
+  BranchColours result;
+  std::set<std::uint8_t> present;
+  for (std::size_t i = 0; i < tree.size(); ++i) {
+    result.colours.push_back(onBackground(segmentColour(tree[i].segment), background));
+    if (visible[i]) present.insert(tree[i].segment);
+  }
+  result.legend.title = "Segment";
+  for (const std::uint8_t segment : present) {
+    const std::string label = segment == 0 ? "none" : std::to_string(segment);
+    result.legend.chips.push_back({label, label, onBackground(segmentColour(segment), background)});
+  }
+  return result;
+}
+
+}  // namespace
+
+BranchColours branchColours(const AirwayTree& tree, const std::vector<bool>& visible,
+                            const SceneOptions& options) {
+  if (options.colourBy == ColourBy::Segment) {
+    return colouredBySegment(tree, visible, options.background);
+  }
+  if (options.colourBy != ColourBy::Lobe) return colouredByValue(tree, visible, options);
+  BranchColours result;
+  result.colours.reserve(tree.size());
+  for (const Branch& branch : tree) {
+    result.colours.push_back(
+        onBackground(airwayColour(branch.lobe, options.palette), options.background));
+  }
+  return result;
+}
+
+std::vector<bool> branchesUpTo(const AirwayTree& tree, int maxGeneration) {
+  const std::vector<int> generation = generations(tree);
+  std::vector<bool> visible(tree.size());
+  for (std::size_t i = 0; i < tree.size(); ++i) visible[i] = generation[i] <= maxGeneration;
+  return visible;
+}
+
+}  // namespace pneuma

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "render/scene.h"
+
+class vtkRenderer;
+
+namespace pneuma {
+
+/// Three lights that move with the camera: a warm key from the upper left, a cool fill from the
+/// right, a weak one from below.
+void addLights(vtkRenderer* renderer);
+
+/// Explicit passes: opaque, then plain alpha in the order of the actors, smoothed edges (FXAA).
+/// Plain alpha of culled surfaces is clearer and much faster than depth peeling.
+void addPasses(vtkRenderer* renderer);
+
+void setBackground(vtkRenderer* renderer, Background background);
+
+}  // namespace pneuma

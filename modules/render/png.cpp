@@ -1,0 +1,145 @@
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <fstream>
+#include <string>
+
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPNGReader.h>
+#include <vtkPNGWriter.h>
+#include <vtkUnsignedCharArray.h>
+
+#include "core/error.h"
+#include "render/picture.h"
+#include "render/vtk_messages.h"
+
+namespace pneuma {
+namespace {
+
+constexpr std::uint32_t LargestSide = 16384;
+constexpr std::uintmax_t LargestFile = 512U << 20;
+constexpr std::array<unsigned char, 8> Signature = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
+
+std::uint32_t bigEndian(const char* bytes) {
+  std::uint32_t value = 0;
+  for (int i = 0; i < 4; ++i) value = (value << 8) | static_cast<unsigned char>(bytes[i]);
+  return value;
+}
+
+/// CRC-32 as PNG prescribes it (ISO 3309).
+std::uint32_t checksum(const char* bytes, std::size_t count) {
+  std::uint32_t crc = 0xffffffffU;
+  for (std::size_t i = 0; i < count; ++i) {
+    crc ^= static_cast<unsigned char>(bytes[i]);
+    for (int bit = 0; bit < 8; ++bit) crc = (crc >> 1) ^ ((crc & 1U) != 0 ? 0xedb88320U : 0U);
+  }
+  return ~crc;
+}
+
+/// Walks through the chunks, so that the reader behind never sees a damaged file: it would print
+/// to the terminal and return what it had.
+/// @return what is wrong, or "" if nothing is
+std::string damage(const std::string& file) {
+  if (file.size() < Signature.size() ||
+      std::memcmp(file.data(), Signature.data(), Signature.size()) != 0) {
+    return "it is not a PNG file";
+  }
+  bool first = true;
+  for (std::size_t at = Signature.size();;) {
+    if (file.size() - at < 12) return "it ends too early";
+    const std::size_t length = bigEndian(file.data() + at);
+    if (length > file.size() - at - 12) return "it ends too early";
+    const std::string_view kind(file.data() + at + 4, 4);
+    if (checksum(file.data() + at + 4, length + 4) != bigEndian(file.data() + at + 8 + length)) {
+      return "a part of it is damaged (checksum)";
+    }
+    if (first) {
+      if (kind != "IHDR" || length != 13) return "it has no header";
+      const std::uint32_t width = bigEndian(file.data() + at + 8);
+      const std::uint32_t height = bigEndian(file.data() + at + 12);
+      if (width == 0 || height == 0 || width > LargestSide || height > LargestSide) {
+        return "it says it is " + std::to_string(width) + "x" + std::to_string(height) +
+               " pixels, and 1 to 16384 a side are read";
+      }
+      first = false;
+    }
+    if (kind == "IEND") return {};
+    at += length + 12;
+  }
+}
+
+std::string contentOf(const std::filesystem::path& path) {
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(path, error);
+  std::ifstream stream(path, std::ios::binary);
+  if (error || !stream) {
+    throw InputMissing("the picture '" + path.string() + "' cannot be read; check its name");
+  }
+  if (size > LargestFile) {
+    throw InvalidInput("the picture '" + path.string() + "' is larger than 512 MB");
+  }
+  std::string content(static_cast<std::size_t>(size), '\0');
+  stream.read(content.data(), static_cast<std::streamsize>(size));
+  content.resize(static_cast<std::size_t>(stream.gcount()));
+  return content;
+}
+
+}  // namespace
+
+Picture readPng(const std::filesystem::path& path) {
+  const std::string content = contentOf(path);
+  const auto throwDamaged = [&](const std::string& what) {
+    throw InvalidInput("the picture '" + path.string() + "' cannot be used: " + what);
+  };
+  if (const std::string what = damage(content); !what.empty()) throwDamaged(what);
+  const VtkMessages messages;
+  vtkNew<vtkPNGReader> reader;
+  reader->SetMemoryBuffer(content.data());
+  reader->SetMemoryBufferLength(static_cast<vtkIdType>(content.size()));
+  reader->Update();
+  vtkImageData* image = reader->GetOutput();
+  const int* size = image->GetDimensions();
+  const int type = image->GetScalarType();
+  if (!messages.firstError().empty() || image->GetScalarPointer() == nullptr ||
+      (type != VTK_UNSIGNED_CHAR && type != VTK_UNSIGNED_SHORT)) {
+    throwDamaged("its pixels cannot be decoded");
+  }
+  Picture picture{size[0], size[1], {}};
+  picture.rgb.reserve(static_cast<std::size_t>(size[0]) * static_cast<std::size_t>(size[1]) * 3);
+  const bool grey = image->GetNumberOfScalarComponents() < 3;
+  const double toByte = type == VTK_UNSIGNED_SHORT ? 1.0 / 257.0 : 1.0;
+  for (int row = size[1] - 1; row >= 0; --row) {
+    for (int column = 0; column < size[0]; ++column) {
+      for (int channel = 0; channel < 3; ++channel) {
+        const double value =
+            image->GetScalarComponentAsDouble(column, row, 0, grey ? 0 : channel) * toByte;
+        picture.rgb.push_back(static_cast<std::uint8_t>(value + 0.5));
+      }
+    }
+  }
+  return picture;
+}
+
+std::string pngText(const Picture& picture) {
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(picture.width, picture.height, 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  const std::size_t stride = static_cast<std::size_t>(picture.width) * 3;
+  auto* pixels = static_cast<std::uint8_t*>(image->GetScalarPointer());
+  for (int row = 0; row < picture.height; ++row) {
+    const auto* line = picture.rgb.data() + static_cast<std::size_t>(row) * stride;
+    std::copy_n(line, stride, pixels + static_cast<std::size_t>(picture.height - 1 - row) * stride);
+  }
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetInputData(image);
+  writer->WriteToMemoryOn();
+  constexpr int SmallPicture = 1'000'000;  // pixels; beyond, the last percent takes seconds
+  writer->SetCompressionLevel(picture.width * picture.height <= SmallPicture ? 9 : 6);
+  writer->Write();
+  vtkUnsignedCharArray* result = writer->GetResult();
+  return {reinterpret_cast<const char*>(result->GetPointer(0)),
+          static_cast<std::size_t>(result->GetNumberOfValues())};
+}
+
+}  // namespace pneuma

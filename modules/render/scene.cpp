@@ -1,0 +1,230 @@
+#include "render/scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include <vtkCamera.h>
+#include <vtkMatrix4x4.h>
+#include <vtkNew.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+
+#include "core/units.h"
+#include "render/airway_layer.h"
+#include "render/annotations.h"
+#include "render/branch_picker.h"
+#include "render/camera.h"
+#include "render/lighting.h"
+#include "render/surface_layer.h"
+
+namespace pneuma {
+namespace {
+
+constexpr double PickTolerancePixels = 4.0;
+constexpr double LogicalDpi = 72.0;
+
+/// A window's size in logical pixels.
+struct LogicalSize {
+  int width = 640;
+  int height = 480;
+  double pixelRatio = 1.0;
+};
+
+LogicalSize sizeOf(vtkRenderer* renderer) {
+  vtkRenderWindow* window = renderer->GetRenderWindow();
+  if (window == nullptr) return {};
+  const int* size = window->GetSize();
+  const double ratio = window->GetDPI() / LogicalDpi;
+  if (size[0] <= 0 || size[1] <= 0) return {};
+  return {static_cast<int>(size[0] / ratio), static_cast<int>(size[1] / ratio), ratio};
+}
+
+Vec3 position(vtkCamera* camera) { return Vec3(camera->GetPosition()); }
+
+Vec3 towardsEye(vtkCamera* camera) { return -Vec3(camera->GetDirectionOfProjection()); }
+
+}  // namespace
+
+struct Scene::State {
+  vtkNew<vtkRenderer> renderer;
+  vtkNew<vtkRenderer> overlayRenderer;
+  SurfaceLayer surfaces{renderer};
+  AirwayLayer airways{renderer};
+  Annotations annotations{overlayRenderer};
+  SceneOptions options;
+
+  // What look() framed, kept so that the picture can be framed again when its size changes, until
+  // somebody moves the camera.
+  ViewDirection direction;
+  std::vector<Vec3> framedPoints;
+  Vec3 framedEye = Vec3::Zero();
+  LogicalSize framedSize = {0, 0, 0.0};
+
+  bool colouredByLobe() const {
+    return options.colourBy == ColourBy::Lobe || airways.tree() == nullptr;
+  }
+
+  void recolour() {
+    airways.setOptions(options);
+    surfaces.setOptions(options, !colouredByLobe());
+    setBackground(renderer, options.background);
+  }
+
+  Legend legend() const {
+    if (!colouredByLobe()) return airways.legend();
+    std::set<Lobe> lobes;
+    for (const SceneSurface& surface : surfaces.surfaces()) {
+      if (surface.visible) lobes.insert(surface.lobe);
+    }
+    lobes.insert(airways.lobes().begin(), airways.lobes().end());
+    return lobeLegend(lobes, options.palette, options.background);
+  }
+
+  std::vector<Vec3> visiblePoints() const {
+    std::vector<Vec3> points;
+    for (const SceneSurface& surface : surfaces.surfaces()) {
+      if (!surface.visible) continue;
+      points.insert(points.end(), surface.mesh->points.begin(), surface.mesh->points.end());
+    }
+    if (const AirwayTree* tree = airways.tree(); tree != nullptr) {
+      for (std::size_t i = 0; i < tree->size(); ++i) {
+        if (!airways.visible()[i]) continue;
+        const Branch& branch = (*tree)[i];
+        const Vec3 radius = Vec3::Constant(branch.radiusMm * options.radiusScale);
+        for (const Vec3& end : {branch.proximal, branch.distal}) {
+          points.push_back(end - radius);
+          points.push_back(end + radius);
+        }
+        for (const CentrelinePoint& point : branch.via) points.push_back(point.position);
+      }
+    }
+    return points;
+  }
+
+  void frame(const LogicalSize& size) {
+    const CameraPose pose =
+        framed(framedPoints, direction, size.width, size.height, annotations.insets());
+    vtkCamera* camera = renderer->GetActiveCamera();
+    camera->ParallelProjectionOff();
+    camera->SetViewAngle(ViewAngleDeg);
+    camera->SetPosition(pose.eye.data());
+    camera->SetFocalPoint(pose.focus.data());
+    camera->SetViewUp(pose.up.data());
+    framedEye = position(camera);
+    framedSize = size;
+  }
+
+  bool cameraUntouched() const {
+    return (position(renderer->GetActiveCamera()) - framedEye).norm() < 1e-9;
+  }
+};
+
+Scene::Scene() : state_(std::make_unique<State>()) {
+  vtkRenderer* renderer = state_->renderer;
+  addLights(renderer);
+  addPasses(renderer);
+  renderer->SetActiveCamera(vtkNew<vtkCamera>());
+  state_->overlayRenderer->SetLayer(1);
+  state_->overlayRenderer->InteractiveOff();
+  state_->recolour();
+  look({});
+}
+
+Scene::~Scene() {
+  if (vtkRenderWindow* window = state_->renderer->GetRenderWindow(); window != nullptr) {
+    window->RemoveRenderer(state_->overlayRenderer);
+    window->RemoveRenderer(state_->renderer);
+  }
+}
+
+void Scene::attachTo(vtkRenderWindow* window) {
+  if (vtkRenderWindow* before = state_->renderer->GetRenderWindow(); before != nullptr) {
+    before->RemoveRenderer(state_->overlayRenderer);
+    before->RemoveRenderer(state_->renderer);
+    addPasses(state_->renderer);  // the old ones hold shaders of the old window
+  }
+  if (window == nullptr) return;
+  window->SetMultiSamples(0);
+  window->SetNumberOfLayers(2);
+  window->AddRenderer(state_->renderer);
+  window->AddRenderer(state_->overlayRenderer);
+}
+
+void Scene::setSurfaces(std::vector<SceneSurface> surfaces) {
+  state_->surfaces.setSurfaces(std::move(surfaces), state_->options);
+  state_->recolour();
+}
+
+void Scene::setSurfaceVisible(std::size_t index, bool visible) {
+  state_->surfaces.setVisible(index, visible);
+}
+
+void Scene::setTree(std::shared_ptr<const AirwayTree> tree) {
+  state_->airways.setTree(std::move(tree), state_->options);
+  state_->recolour();
+}
+
+void Scene::setOptions(const SceneOptions& options) {
+  if (options == state_->options) return;
+  state_->options = options;
+  state_->recolour();
+}
+
+const SceneOptions& Scene::options() const { return state_->options; }
+
+void Scene::setInteractive(bool interactive) { state_->airways.setInteractive(interactive); }
+
+void Scene::select(std::optional<std::size_t> branch) { state_->airways.select(branch); }
+
+void Scene::look(ViewDirection direction) {
+  state_->direction = direction;
+  state_->framedPoints = state_->visiblePoints();
+  const LogicalSize size = sizeOf(state_->renderer);
+  state_->annotations.arrange(size.width, size.height, state_->legend(), state_->options);
+  state_->frame(size);
+}
+
+ViewDirection Scene::lookingFrom() const {
+  vtkCamera* camera = state_->renderer->GetActiveCamera();
+  return viewDirectionOf(towardsEye(camera), Vec3(camera->GetViewUp()));
+}
+
+std::optional<std::size_t> Scene::branchAt(double x, double y) const {
+  const AirwayTree* tree = state_->airways.tree();
+  vtkRenderWindow* window = state_->renderer->GetRenderWindow();
+  if (tree == nullptr || window == nullptr) return std::nullopt;
+  const int* size = window->GetSize();
+  vtkMatrix4x4* matrix = state_->renderer->GetActiveCamera()->GetCompositeProjectionTransformMatrix(
+      static_cast<double>(size[0]) / size[1], -1.0, 1.0);
+  Projection projection;
+  std::copy_n(matrix->GetData(), projection.clipFromWorld.size(), projection.clipFromWorld.begin());
+  projection.width = size[0];
+  projection.height = size[1];
+  return branchUnder(*tree, state_->airways.visible(), state_->options.radiusScale, projection, x,
+                     y, PickTolerancePixels * window->GetDPI() / LogicalDpi);
+}
+
+void Scene::updateAnnotations() {
+  const LogicalSize size = sizeOf(state_->renderer);
+  vtkCamera* camera = state_->renderer->GetActiveCamera();
+  state_->annotations.arrange(size.width, size.height, state_->legend(), state_->options);
+  const bool resized =
+      size.width != state_->framedSize.width || size.height != state_->framedSize.height;
+  if (resized && state_->cameraUntouched()) state_->frame(size);
+  state_->surfaces.sortBackToFront();
+  camera->OrthogonalizeViewUp();
+  ViewAxes axes;
+  axes.towardsEye = towardsEye(camera);
+  axes.up = Vec3(camera->GetViewUp());
+  axes.right = axes.up.cross(axes.towardsEye);
+  const double mmInHeight =
+      2.0 * camera->GetDistance() * std::tan(radians(0.5 * camera->GetViewAngle()));
+  state_->annotations.draw(axes, size.height / mmInHeight, size.pixelRatio);
+  state_->renderer->ResetCameraClippingRange();
+}
+
+vtkRenderer* Scene::renderer() const { return state_->renderer; }
+
+}  // namespace pneuma

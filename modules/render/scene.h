@@ -1,0 +1,114 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <vector>
+
+#include "anatomy/airway_tree.h"
+#include "core/options.h"
+#include "core/triangle_mesh.h"
+
+class vtkRenderWindow;
+class vtkRenderer;
+
+namespace pneuma {
+
+enum class ColourBy { Lobe, Segment, Generation, Strahler, Diameter, Flow };
+
+constexpr std::array<std::string_view, 6> choices(ColourBy) {
+  return {"lobe", "segment", "generation", "strahler", "diameter", "flow"};
+}
+
+enum class Palette { Pneuma, Huang };
+
+constexpr std::array<std::string_view, 2> choices(Palette) { return {"pneuma", "huang"}; }
+
+enum class Background { Dark, Light, White };
+
+constexpr std::array<std::string_view, 3> choices(Background) { return {"dark", "light", "white"}; }
+
+/// From where one looks: angles about the patient. Azimuth 0 is from the front, 90 from the
+/// patient's left; elevation 90 is from above, degrees.
+struct ViewDirection {
+  double azimuthDeg = 0.0;
+  double elevationDeg = 0.0;
+};
+
+/// "anterior", "posterior", "left", "right", "superior", "inferior", their letters A P L R S I, or
+/// "AZ,EL" in degrees. @throws InvalidOption
+ViewDirection viewDirection(std::string_view text);
+
+/// How a scene looks; the same for `pneuma render`, the window and image tests.
+struct SceneOptions {
+  ColourBy colourBy = ColourBy::Lobe;
+  Palette palette = Palette::Pneuma;
+  Background background = Background::Dark;
+  int maxGeneration = 1000;
+  double lobeOpacity = 0.26;  ///< on the dark background; light ones take a third more
+  double radiusScale = 1.0;
+  bool annotations = true;  ///< scale bar, orientation letters, legend
+
+  bool operator==(const SceneOptions&) const = default;
+};
+
+/// A lobe's surface with the colour it takes.
+struct SceneSurface {
+  Lobe lobe = Lobe::Whole;
+  std::shared_ptr<const TriangleMesh> mesh;
+  bool visible = true;
+};
+
+/// Lobes, tree, light, camera and annotations in one VTK renderer (plus an overlay for text).
+/// Used from one thread, the one that renders.
+class Scene {
+ public:
+  Scene();
+  ~Scene();
+  Scene(const Scene&) = delete;
+  Scene& operator=(const Scene&) = delete;
+
+  /// Moves the scene's renderers to a window: an offscreen one, a widget's, or none (null).
+  void attachTo(vtkRenderWindow* window);
+
+  void setSurfaces(std::vector<SceneSurface> surfaces);
+  void setSurfaceVisible(std::size_t index, bool visible);
+
+  /// Null for no tree. The tree is kept, not copied.
+  void setTree(std::shared_ptr<const AirwayTree> tree);
+
+  void setOptions(const SceneOptions& options);
+  const SceneOptions& options() const;
+
+  /// Coarse tubes while the user drags, fine ones afterwards.
+  void setInteractive(bool interactive);
+
+  /// Highlights a branch, or none.
+  void select(std::optional<std::size_t> branch);
+
+  /// Points the camera and frames everything that is visible now. When the picture's size changes
+  /// the same is framed again, until somebody else moves the camera.
+  void look(ViewDirection direction);
+
+  /// Where the camera stands now, for the legend of a screenshot and for saving.
+  ViewDirection lookingFrom() const;
+
+  /// The branch under a pixel of the window (origin at the lower left), nearest to the viewer.
+  std::optional<std::size_t> branchAt(double x, double y) const;
+
+  /// Brings scale bar and letters up to date with the camera. Called by renderPicture(); a window
+  /// calls it before each frame.
+  void updateAnnotations();
+
+  vtkRenderer* renderer() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace pneuma

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <vector>
+
+#include <vtkActor.h>
+#include <vtkSmartPointer.h>
+
+#include "render/scene.h"
+
+class vtkRenderer;
+
+namespace pneuma {
+
+/// The translucent lobes of a scene.
+class SurfaceLayer {
+ public:
+  explicit SurfaceLayer(vtkRenderer* renderer) : renderer_(renderer) {}
+
+  void setSurfaces(std::vector<SceneSurface> surfaces, const SceneOptions& options);
+  void setVisible(std::size_t index, bool visible);
+
+  /// @param neutral true where the colours belong to the airways alone
+  void setOptions(const SceneOptions& options, bool neutral);
+
+  const std::vector<SceneSurface>& surfaces() const { return surfaces_; }
+
+  /// Orders the lobes from far to near, as plain alpha needs it. Cheap; call before each frame.
+  void sortBackToFront();
+
+ private:
+  vtkRenderer* renderer_;
+  std::vector<SceneSurface> surfaces_;
+  std::vector<vtkSmartPointer<vtkActor>> actors_;
+  std::vector<Vec3> centres_;
+  std::vector<std::size_t> order_;
+};
+
+}  // namespace pneuma

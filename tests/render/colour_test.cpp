@@ -1,0 +1,108 @@
+#include "render/colour.h"
+
+#include <cmath>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "render/branch_colours.h"
+#include "render/colour_map.h"
+#include "render/generated_lungs.h"
+
+namespace pneuma {
+namespace {
+
+double distance(const Rgb& a, const Rgb& b) {
+  const Lab p = labOf(a);
+  const Lab q = labOf(b);
+  return std::hypot(p.l - q.l, p.a - q.a, p.b - q.b);
+}
+
+/// What somebody without green cones sees (Vienot 1999, on linear RGB).
+Rgb asDeuteranope(const Rgb& c) {
+  const auto linear = [](double s) { return std::pow(s, 2.2); };
+  const auto coded = [](double l) { return std::pow(std::max(l, 0.0), 1.0 / 2.2); };
+  const double r = linear(c.r);
+  const double g = linear(c.g);
+  const double b = linear(c.b);
+  const double yellow = 0.29275 * r + 0.70725 * g;
+  return {coded(yellow), coded(yellow), coded(-0.02234 * r + 0.02234 * g + b)};
+}
+
+TEST(Colour, LabOfKnownColours) {
+  const Lab white = labOf({1, 1, 1});
+  EXPECT_NEAR(white.l, 100.0, 0.01);
+  EXPECT_NEAR(white.a, 0.0, 0.02);
+  const Lab red = labOf({1, 0, 0});
+  EXPECT_NEAR(red.l, 53.24, 0.02);
+  EXPECT_NEAR(red.a, 80.09, 0.05);
+  EXPECT_NEAR(red.b, 67.20, 0.05);
+}
+
+TEST(Colour, SurvivesTheWayThroughLab) {
+  for (const Rgb& colour : {Rgb{0.2, 0.4, 0.9}, Rgb{0.0, 0.01, 0.02}, Rgb{1, 0.5, 0}}) {
+    EXPECT_LT(distance(rgbOf(labOf(colour)), colour), 0.01);
+  }
+}
+
+TEST(ColourMap, ScaleGetsLighterAllTheWayAlsoForTheColourBlind) {
+  for (int i = 1; i <= 100; ++i) {
+    const Rgb before = scaleColour((i - 1) / 100.0);
+    const Rgb after = scaleColour(i / 100.0);
+    EXPECT_GT(labOf(after).l, labOf(before).l + 0.1) << i;
+    EXPECT_GT(labOf(asDeuteranope(after)).l, labOf(asDeuteranope(before)).l) << i;
+  }
+}
+
+TEST(ColourMap, LobesAreToldApartAlsoByTheColourBlind) {
+  for (const Lobe a : FiveLobes) {
+    for (const Lobe b : FiveLobes) {
+      if (a >= b) continue;
+      const Rgb p = lobeColour(a, Palette::Pneuma);
+      const Rgb q = lobeColour(b, Palette::Pneuma);
+      EXPECT_GT(distance(p, q), 25.0);
+      // Three times what is just noticeable: the closest pair is RUL and LLL.
+      EXPECT_GT(distance(asDeuteranope(p), asDeuteranope(q)), 6.0)
+          << shortName(a) << " " << shortName(b);
+    }
+  }
+}
+
+TEST(ColourMap, HuangPaletteIsRedGreenBlueFromAbove) {
+  const Rgb upper = lobeColour(Lobe::LeftUpper, Palette::Huang);
+  const Rgb middle = lobeColour(Lobe::RightMiddle, Palette::Huang);
+  const Rgb lower = lobeColour(Lobe::RightLower, Palette::Huang);
+  EXPECT_TRUE(upper.r > upper.g && upper.r > upper.b);
+  EXPECT_TRUE(middle.g > middle.r && middle.g > middle.b);
+  EXPECT_TRUE(lower.b > lower.r && lower.b > lower.g);
+  EXPECT_EQ(upper, lobeColour(Lobe::RightUpper, Palette::Huang));
+}
+
+TEST(ColourMap, EighteenSegmentsHaveEighteenColours) {
+  for (std::uint8_t a = 0; a <= 18; ++a) {
+    for (std::uint8_t b = 0; b < a; ++b) {
+      EXPECT_GT(distance(segmentColour(a), segmentColour(b)), 12.0) << +a << " " << +b;
+    }
+  }
+}
+
+TEST(BranchColours, ScaleSpansTheVisibleBranches) {
+  const auto tree = test::generatedTree();
+  const std::vector<bool> visible = branchesUpTo(*tree, 3);
+  const BranchColours coloured =
+      branchColours(*tree, visible, {.colourBy = ColourBy::Generation, .maxGeneration = 3});
+  ASSERT_EQ(coloured.colours.size(), tree->size());
+  EXPECT_EQ(coloured.colours[0], scaleColour(0.0));
+  EXPECT_EQ(coloured.legend.ticks.front().label, "0");
+  EXPECT_EQ(coloured.legend.ticks.back().label, "3");
+}
+
+TEST(BranchColours, BranchWithoutDiameterIsNoTrouble) {
+  AirwayTree tree;
+  tree.add({.parent = -1, .proximal = Vec3::Zero(), .distal = Vec3::UnitZ(), .radiusMm = 0.0});
+  const BranchColours coloured = branchColours(tree, {true}, {.colourBy = ColourBy::Diameter});
+  EXPECT_EQ(coloured.colours[0], scaleColour(0.0));
+}
+
+}  // namespace
+}  // namespace pneuma

@@ -1,0 +1,73 @@
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <ostream>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "render/generated_lungs.h"
+#include "render/picture.h"
+
+namespace pneuma {
+namespace {
+
+constexpr double Threshold = 0.03;
+
+struct ImageCase {
+  std::string name;
+  std::string view;
+  SceneOptions options;
+};
+
+void PrintTo(const ImageCase& image, std::ostream* out) { *out << image.name; }
+
+void write(const std::filesystem::path& path, const Picture& picture) {
+  std::filesystem::create_directories(path.parent_path());
+  std::ofstream(path, std::ios::binary) << pngText(picture);
+}
+
+class Image : public testing::TestWithParam<ImageCase> {};
+
+TEST_P(Image, LooksLikeItsBaseline) {
+  const ImageCase& image = GetParam();
+  Scene scene;
+  scene.setSurfaces(test::generatedLobes());
+  scene.setTree(test::generatedTree());
+  scene.setOptions(image.options);
+  scene.look(viewDirection(image.view));
+  const Picture picture = renderPicture(scene, 480, 360);
+  const std::filesystem::path baseline =
+      std::filesystem::path(PNEUMA_BASELINES) / (image.name + ".png");
+  if (std::getenv("PNEUMA_UPDATE_BASELINES") != nullptr) write(baseline, picture);
+  const PictureDifference difference = compare(picture, readPng(baseline));
+  EXPECT_LT(difference.error, Threshold);
+  if (difference.error >= Threshold) {
+    const std::filesystem::path folder(PNEUMA_IMAGE_OUTPUT);
+    write(folder / (image.name + ".actual.png"), picture);
+    write(folder / (image.name + ".diff.png"), difference.difference);
+    ADD_FAILURE() << "see " << folder / image.name << ".actual.png and .diff.png; if it is right, "
+                  << "run again with PNEUMA_UPDATE_BASELINES=1";
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Scene, Image,
+    testing::Values(
+        ImageCase{"lobe", "A", {}}, ImageCase{"segment", "A", {.colourBy = ColourBy::Segment}},
+        ImageCase{"generation", "A", {.colourBy = ColourBy::Generation}},
+        ImageCase{"strahler", "A", {.colourBy = ColourBy::Strahler}},
+        ImageCase{"diameter", "A", {.colourBy = ColourBy::Diameter}},
+        ImageCase{"flow", "A", {.colourBy = ColourBy::Flow}},
+        ImageCase{"huang_white", "A", {.palette = Palette::Huang, .background = Background::White}},
+        ImageCase{"light", "-10,6", {.background = Background::Light}},
+        ImageCase{"generation_light",
+                  "P",
+                  {.colourBy = ColourBy::Generation, .background = Background::Light}},
+        ImageCase{"left", "L", {}}, ImageCase{"right", "R", {}}, ImageCase{"superior", "S", {}},
+        ImageCase{"inferior", "I", {}},
+        ImageCase{"three_generations", "A", {.maxGeneration = 3, .annotations = false}}),
+    [](const testing::TestParamInfo<ImageCase>& each) { return each.param.name; });
+
+}  // namespace
+}  // namespace pneuma

@@ -1,0 +1,172 @@
+#include "render/picture.h"
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <string>
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "core/error.h"
+#include "render/generated_lungs.h"
+
+namespace pneuma {
+namespace {
+
+Picture gradient(int width, int height) {
+  Picture picture{width, height, {}};
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      for (const int value : {x * 5, y * 7, x + y}) {
+        picture.rgb.push_back(static_cast<std::uint8_t>(value));
+      }
+    }
+  }
+  return picture;
+}
+
+/// A file that is gone at the end of the test.
+class TemporaryFile {
+ public:
+  explicit TemporaryFile(const std::string& content)
+      : path_(std::filesystem::temp_directory_path() /
+              ("pneuma_picture_test_" + std::to_string(::getpid()) + ".png")) {
+    std::ofstream(path_, std::ios::binary) << content;
+  }
+
+  ~TemporaryFile() { std::filesystem::remove(path_); }
+
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// Changes $DISPLAY for the length of a test.
+class Display {
+ public:
+  explicit Display(const char* name) {
+    if (const char* before = std::getenv("DISPLAY"); before != nullptr) before_ = before;
+    setenv("DISPLAY", name, 1);
+  }
+
+  ~Display() { before_ ? setenv("DISPLAY", before_->c_str(), 1) : unsetenv("DISPLAY"); }
+
+  Display(const Display&) = delete;
+  Display& operator=(const Display&) = delete;
+
+ private:
+  std::optional<std::string> before_;
+};
+
+TEST(Png, ReadsBackWhatItWrote) {
+  const Picture picture = gradient(37, 23);
+  const TemporaryFile file(pngText(picture));
+  const Picture back = readPng(file.path());
+  EXPECT_EQ(back.width, 37);
+  EXPECT_EQ(back.height, 23);
+  EXPECT_EQ(back.rgb, picture.rgb);
+}
+
+TEST(Png, MissingFileIsMissing) { EXPECT_THROW(readPng("no/such/picture.png"), InputMissing); }
+
+TEST(Png, DamagedFilesAreRefused) {
+  const std::string whole = pngText(gradient(64, 48));
+  std::string flipped = whole;
+  flipped[whole.size() / 2] = static_cast<char>(flipped[whole.size() / 2] ^ 0x10);
+  std::string huge = whole;
+  huge[16] = 0x7f;
+  for (const std::string& content :
+       {std::string(), std::string("not a picture at all"), whole.substr(0, 20),
+        whole.substr(0, whole.size() / 2), whole.substr(0, whole.size() - 5), flipped, huge}) {
+    const TemporaryFile file(content);
+    EXPECT_THROW(readPng(file.path()), InvalidInput) << content.size() << " bytes";
+  }
+}
+
+TEST(ContactSheet, HoldsThePicturesInRows) {
+  const Picture dark{60, 40, std::vector<std::uint8_t>(60 * 40 * 3, 10)};
+  const Picture bright{60, 40, std::vector<std::uint8_t>(60 * 40 * 3, 250)};
+  const Picture sheet = contactSheet({dark, bright, dark}, 2, {"one", "two", "three"});
+  EXPECT_EQ(sheet.width, 120);
+  EXPECT_GT(sheet.height, 80);
+  EXPECT_EQ(sheet.rgb[3 * (10 * 120 + 10)], 10);
+  EXPECT_EQ(sheet.rgb[3 * (10 * 120 + 70)], 250);
+  int captionPixels = 0;
+  for (int y = 40; y < sheet.height / 2; ++y) {
+    for (int x = 0; x < 60; ++x) {
+      captionPixels += sheet.rgb[static_cast<std::size_t>(3 * (y * 120 + x))] > 120 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(captionPixels, 10);
+}
+
+TEST(ContactSheet, NeedsPicturesOfOneSizeAndACaptionEach) {
+  EXPECT_THROW(contactSheet({}, 2, {}), InvalidInput);
+  EXPECT_THROW(contactSheet({gradient(4, 4)}, 1, {}), InvalidInput);
+  EXPECT_THROW(contactSheet({gradient(4, 4), gradient(5, 4)}, 2, {"a", "b"}), InvalidInput);
+}
+
+TEST(RenderPicture, SaysHowToGetADisplayWhereThereIsNone) {
+  Scene scene;
+  for (const char* name : {"", ":987", "nonsense"}) {
+    const Display display(name);
+    EXPECT_FALSE(canRender());
+    try {
+      renderPicture(scene, 100, 100);
+      FAIL() << name;
+    } catch (const NoRendering& error) {
+      EXPECT_NE(std::string(error.what()).find("xvfb-run -a"), std::string::npos);
+    }
+  }
+  EXPECT_TRUE(canRender());
+}
+
+TEST(RenderPicture, RefusesSizesThatCannotBe) {
+  Scene scene;
+  EXPECT_THROW(renderPicture(scene, 15, 100), InvalidOption);
+  EXPECT_THROW(renderPicture(scene, 100, 8193), InvalidOption);
+}
+
+TEST(RenderPicture, DrawsAnEmptyScene) {
+  Scene scene;
+  const Picture picture = renderPicture(scene, 64, 48);
+  EXPECT_EQ(picture.rgb.size(), 64U * 48 * 3);
+}
+
+TEST(RenderPicture, DrawsTheSceneFilledAndUncut) {
+  Scene scene;
+  scene.setSurfaces(test::generatedLobes());
+  scene.setOptions({.background = Background::White, .annotations = false});
+  for (const auto& [width, height] : {std::pair{300, 200}, std::pair{150, 300}}) {
+    scene.look(viewDirection("30,10"));
+    const Picture picture = renderPicture(scene, width, height);
+    int left = width;
+    int right = 0;
+    int top = height;
+    int bottom = 0;
+    for (int y = 0; y < height; ++y) {
+      for (int x = 0; x < width; ++x) {
+        const std::size_t at = static_cast<std::size_t>(3 * (y * width + x));
+        if (picture.rgb[at] > 245 && picture.rgb[at + 1] > 245) continue;
+        left = std::min(left, x);
+        right = std::max(right, x);
+        top = std::min(top, y);
+        bottom = std::max(bottom, y);
+      }
+    }
+    EXPECT_GT(left, 0);
+    EXPECT_GT(top, 0);
+    EXPECT_LT(right, width - 1);
+    EXPECT_LT(bottom, height - 1);
+    EXPECT_TRUE(right - left > 0.88 * width || bottom - top > 0.88 * height);
+  }
+}
+
+}  // namespace
+}  // namespace pneuma

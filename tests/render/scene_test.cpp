@@ -1,0 +1,160 @@
+#include "render/scene.h"
+
+#include <gtest/gtest.h>
+#include <vtkCamera.h>
+#include <vtkNew.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+
+#include "render/generated_lungs.h"
+#include "render/picture.h"
+
+namespace pneuma {
+namespace {
+
+constexpr int Width = 400;
+constexpr int Height = 300;
+
+/// A scene in a window of its own, as an application holds it.
+class SceneInAWindow : public testing::Test {
+ protected:
+  SceneInAWindow() : tree_(test::generatedTree()) {
+    window_->SetOffScreenRendering(1);
+    window_->SetSize(Width, Height);
+    scene_.attachTo(window_);
+    scene_.setSurfaces(test::generatedLobes());
+    scene_.setTree(tree_);
+  }
+
+  ~SceneInAWindow() override { scene_.attachTo(nullptr); }
+
+  /// The pixel of a point.
+  Vec3 pixelOf(const Vec3& p) {
+    scene_.renderer()->SetWorldPoint(p.x(), p.y(), p.z(), 1.0);
+    scene_.renderer()->WorldToDisplay();
+    return Vec3(scene_.renderer()->GetDisplayPoint());
+  }
+
+  std::shared_ptr<const AirwayTree> tree_;
+  vtkNew<vtkRenderWindow> window_;
+  Scene scene_;
+};
+
+TEST_F(SceneInAWindow, FindsTheBranchUnderAPixel) {
+  scene_.look({});
+  scene_.updateAnnotations();
+  window_->Render();
+  const Branch& trachea = (*tree_)[0];
+  const Vec3 pixel = pixelOf(0.5 * (trachea.proximal + trachea.distal));
+  EXPECT_EQ(scene_.branchAt(pixel.x(), pixel.y()), 0U);
+  EXPECT_EQ(scene_.branchAt(2.0, 2.0), std::nullopt);
+}
+
+TEST_F(SceneInAWindow, OfTwoBranchesFindsTheNearer) {
+  AirwayTree tree;
+  Branch branch;
+  branch.radiusMm = 3.0;
+  branch.proximal = Vec3(0, 50, -40);
+  branch.distal = Vec3(0, 50, 40);
+  tree.add(branch);
+  branch.parent = 0;
+  branch.proximal = Vec3(-40, -50, 0);
+  branch.distal = Vec3(40, -50, 0);
+  tree.add(branch);
+  scene_.setTree(std::make_shared<const AirwayTree>(tree));
+  scene_.look(viewDirection("A"));
+  scene_.updateAnnotations();
+  Vec3 pixel = pixelOf(Vec3(0, -50, 0));
+  EXPECT_EQ(scene_.branchAt(pixel.x(), pixel.y()), 1U);
+  scene_.look(viewDirection("P"));
+  scene_.updateAnnotations();
+  pixel = pixelOf(Vec3(0, 50, 0));
+  EXPECT_EQ(scene_.branchAt(pixel.x(), pixel.y()), 0U);
+}
+
+TEST_F(SceneInAWindow, FindsThinBranchesNearThePixelButNoHiddenOnes) {
+  const std::size_t last = tree_->size() - 1;
+  const Branch& terminal = (*tree_)[last];
+  scene_.setOptions({.maxGeneration = 4});
+  scene_.look({});
+  scene_.updateAnnotations();
+  const Vec3 pixel = pixelOf(0.5 * (terminal.proximal + terminal.distal));
+  const auto hit = scene_.branchAt(pixel.x(), pixel.y());
+  EXPECT_NE(hit, last);
+  AirwayTree alone;
+  Branch thin = terminal;
+  thin.parent = -1;
+  thin.radiusMm = 0.05;
+  alone.add(thin);
+  scene_.setTree(std::make_shared<const AirwayTree>(alone));
+  EXPECT_EQ(scene_.branchAt(pixel.x() + 2.0, pixel.y()), 0U);
+}
+
+TEST_F(SceneInAWindow, RemembersWhereItLooksFrom) {
+  scene_.look({25.0, -10.0});
+  EXPECT_NEAR(scene_.lookingFrom().azimuthDeg, 25.0, 1e-6);
+  EXPECT_NEAR(scene_.lookingFrom().elevationDeg, -10.0, 1e-6);
+}
+
+TEST_F(SceneInAWindow, FramesAgainWhenResizedUntilSomebodyMovesTheCamera) {
+  scene_.look({});
+  vtkCamera* camera = scene_.renderer()->GetActiveCamera();
+  const double distance = camera->GetDistance();
+  window_->SetSize(Width / 2, Height);
+  scene_.updateAnnotations();
+  EXPECT_GT(camera->GetDistance(), 1.2 * distance);
+  camera->Azimuth(5.0);
+  const double moved = camera->GetDistance();
+  window_->SetSize(Width, Height);
+  scene_.updateAnnotations();
+  EXPECT_DOUBLE_EQ(camera->GetDistance(), moved);
+}
+
+TEST_F(SceneInAWindow, GoesBackToItsWindowAfterAPicture) {
+  scene_.look({});
+  const Picture first = renderPicture(scene_, 160, 120);
+  EXPECT_EQ(scene_.renderer()->GetRenderWindow(), window_.Get());
+  scene_.updateAnnotations();
+  window_->Render();
+  EXPECT_EQ(renderPicture(scene_, 160, 120).rgb, first.rgb);
+}
+
+TEST_F(SceneInAWindow, HighlightsTheSelectedBranch) {
+  scene_.look({});
+  const Picture before = renderPicture(scene_, 160, 120);
+  scene_.select(1);
+  const Picture selected = renderPicture(scene_, 160, 120);
+  EXPECT_NE(selected.rgb, before.rgb);
+  scene_.select(std::nullopt);
+  EXPECT_EQ(renderPicture(scene_, 160, 120).rgb, before.rgb);
+  scene_.select(1'000'000);
+  EXPECT_EQ(renderPicture(scene_, 160, 120).rgb, before.rgb);
+}
+
+TEST_F(SceneInAWindow, LooksAlikeWhileInteractive) {
+  scene_.setTree(test::generatedTree(8));  // down to airways that become lines
+  scene_.look({});
+  const Picture fine = renderPicture(scene_, 320, 240);
+  scene_.setInteractive(true);
+  const Picture coarse = renderPicture(scene_, 320, 240);
+  EXPECT_NE(coarse.rgb, fine.rgb);
+  EXPECT_LT(compare(coarse, fine).error, 0.2);
+  scene_.setInteractive(false);
+  EXPECT_EQ(renderPicture(scene_, 320, 240).rgb, fine.rgb);
+}
+
+TEST_F(SceneInAWindow, EmptiesAgain) {
+  scene_.setTree(nullptr);
+  scene_.setSurfaces({});
+  scene_.look({});
+  const Picture picture = renderPicture(scene_, 100, 80);
+  const Picture empty = [] {
+    Scene scene;
+    return renderPicture(scene, 100, 80);
+  }();
+  EXPECT_EQ(picture.rgb, empty.rgb);
+  EXPECT_EQ(scene_.branchAt(50, 40), std::nullopt);
+}
+
+}  // namespace
+}  // namespace pneuma
