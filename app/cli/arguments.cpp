@@ -1,0 +1,37 @@
+#include "cli/arguments.h"
+
+namespace pneuma::cli {
+
+void addCommon(CLI::App& app, CommonOptions& common) {
+  app.add_flag("-q,--quiet", common.quiet, "Say nothing but errors and results.");
+  app.add_flag("-v,--verbose", common.verbose, "Name every step on standard error as it begins.");
+  const auto [progress, threads] = CommonOptions::fields();
+  addField(app, common, progress);
+  addField(app, common, threads, "-j,--threads");
+}
+
+CLI::Option* addOutput(CLI::App& app, CommonOptions& common, const std::string& typeName,
+                       const std::string& help) {
+  addForce(app, common);
+  return app.add_option("-o,--output", common.output, help)->type_name(typeName);
+}
+
+void addForce(CLI::App& app, CommonOptions& common) {
+  app.add_flag("-f,--force", common.force, "Replace outputs that exist.");
+}
+
+void addJson(CLI::App& app, CommonOptions& common) {
+  app.add_flag("--json", common.json, "Print the result as JSON on standard output.");
+}
+
+CLI::Option* addFiles(CLI::App& app, const std::string& name,
+                      std::vector<std::filesystem::path>& files, const std::string& help) {
+  return app.add_option(name, files, help)->type_name("FILE");
+}
+
+CLI::Option* addRepeatable(CLI::App& app, const std::string& name, std::vector<std::string>& values,
+                           const std::string& typeName, const std::string& help) {
+  return app.add_option(name, values, help)->type_name(typeName)->allow_extra_args(false);
+}
+
+}  // namespace pneuma::cli

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <CLI/App.hpp>
+
+#include "cli/arguments.h"
+#include "cli/command.h"
+
+namespace pneuma::cli {
+
+/// A command whose arguments are declared. On the heap, because the parser refers to `common`.
+struct DeclaredCommand {
+  CommonOptions common;
+  CLI::App parser;
+  Run run;
+};
+
+std::unique_ptr<DeclaredCommand> declared(const Command& command);
+
+/// What `pneuma help` prints: all commands, one line each.
+std::string overview();
+
+/// Reads the arguments that follow the program's name and does what they say.
+/// @throws InvalidOption for anything that cannot be; whatever the command throws
+ExitCode runCommandLine(std::vector<std::string> arguments);
+
+}  // namespace pneuma::cli

@@ -1,0 +1,41 @@
+#include <array>
+#include <vector>
+
+#include "cli/command.h"
+#include "core/options.h"
+
+namespace pneuma::cli {
+namespace {
+
+constexpr std::array<Command, 12> Table = {{
+    {"grow", "Grow a bronchial tree in lobes or in a built-in organ.", declareGrow},
+    {"measure", "Measure a tree: orders, ratios, angles, lengths, homogeneity.", declareMeasure},
+    {"info", "Say what surfaces and trees are worth, and what is wrong with them.", declareInfo},
+    {"repair", "Mend a surface and list what was changed.", declareRepair},
+    {"render", "Make a picture of surfaces and trees.", declareRender},
+    {"export", "Convert surfaces and trees between formats, frames and units.", declareExport},
+    {"sample", "Write a synthetic chest with known truth.", declareSample},
+    {"reproduce", "Repeat a paper's experiment: published beside measured.", declareReproduce},
+    {"doctor", "Check this installation and this machine.", declareDoctor},
+    {"completion", "Print a shell's completion script.", declareCompletion},
+    {"help", "Explain a command.", declareHelp},
+    {"version", "Print the version.", declareVersion},
+}};
+
+}  // namespace
+
+std::span<const Command> commands() { return Table; }
+
+const Command& command(std::string_view name) {
+  std::vector<std::string_view> names;
+  for (const Command& candidate : Table) {
+    if (candidate.name == name) return candidate;
+    names.push_back(candidate.name);
+  }
+  const std::string_view nearest = nearestWord(name, names);
+  throw InvalidOption("there is no command '" + std::string(name) + "'; " +
+                      (nearest.empty() ? "'pneuma help' lists them"
+                                       : "did you mean '" + std::string(nearest) + "'?"));
+}
+
+}  // namespace pneuma::cli

@@ -1,0 +1,198 @@
+#include <algorithm>
+#include <iostream>
+#include <memory>
+
+#include "cli/arguments.h"
+#include "cli/command.h"
+#include "cli/conversion.h"
+#include "cli/files.h"
+#include "cli/text.h"
+#include "io/surface_file.h"
+#include "io/tree_file.h"
+
+namespace pneuma::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+enum class Format { Vtp, Stl, Ply, Obj, Swc, Csv, Json };
+
+constexpr std::array<std::string_view, 7> choices(Format) {
+  return {"vtp", "stl", "ply", "obj", "swc", "csv", "json"};
+}
+
+struct ExportArguments {
+  std::vector<fs::path> inputs;
+  std::vector<std::string> only;
+  Format format = Format::Vtp;
+  LengthUnit fromUnits = LengthUnit::Mm;
+  LengthUnit units = LengthUnit::Mm;
+  Frame frame = Frame::Lps;
+
+  static constexpr auto fields() {
+    using E = ExportArguments;
+    return std::tuple{
+        Field{"format", &E::format, "", Range{}, "Format of the files where OUT is a folder."},
+        Field{"from-units", &E::fromUnits, "", Range{}, "What the input is measured in."},
+        Field{"units", &E::units, "", Range{},
+              "What the output is measured in (surfaces; trees are in mm)."},
+        Field{"frame", &E::frame, "", Range{}, "Frame of the output (surfaces; trees are in LPS)."},
+    };
+  }
+};
+
+/// One file in, one file out.
+struct Job {
+  fs::path input;
+  fs::path output;
+  bool isTree = false;
+};
+
+std::vector<Lobe> parsedLobes(const std::vector<std::string>& lists) {
+  std::vector<Lobe> lobes;
+  for (const std::string& list : lists) {
+    for (std::size_t from = 0; from <= list.size();) {
+      const std::size_t comma = std::min(list.find(',', from), list.size());
+      const std::string name = list.substr(from, comma - from);
+      const std::optional<Lobe> lobe = lobeOfShortName(name);
+      if (!lobe) {
+        throw InvalidOption("--only knows RUL, RML, RLL, LUL, LLL and central, but '" + name +
+                            "' was given");
+      }
+      lobes.push_back(*lobe);
+      from = comma + 1;
+    }
+  }
+  return lobes;
+}
+
+bool isWanted(const Job& job, const std::vector<Lobe>& only) {
+  if (only.empty() || job.isTree) return true;
+  const std::optional<Lobe> lobe = lobeOfFileName(job.input.filename().string());
+  return lobe && std::find(only.begin(), only.end(), *lobe) != only.end();
+}
+
+/// The files themselves, and the surfaces in the folders.
+std::vector<Job> inputs(const std::vector<fs::path>& paths) {
+  std::vector<Job> result;
+  for (const fs::path& path : paths) {
+    std::error_code error;
+    const bool isFolder = fs::is_directory(path, error);
+    for (const fs::path& file : expanded(std::vector{path})) {
+      const Job job{file, {}, isTreeFile(file)};
+      if (!isFolder || !job.isTree) result.push_back(job);
+    }
+  }
+  return result;
+}
+
+std::vector<Job> jobs(const ExportArguments& arguments, const std::vector<Lobe>& only,
+                      const fs::path& output) {
+  std::vector<Job> result;
+  for (Job job : inputs(arguments.inputs)) {
+    job.output = output;
+    if (isWanted(job, only)) result.push_back(job);
+  }
+  if (result.empty()) {
+    throw InputMissing(
+        "there is no surface to export among the inputs that --only leaves; check the file names");
+  }
+  std::error_code error;
+  const bool intoFile = result.size() == 1 && !output.extension().empty();
+  if (!intoFile || fs::is_directory(output, error)) {
+    for (Job& job : result) {
+      job.output = output / (job.input.stem().string() + "." + textOf(arguments.format));
+    }
+  }
+  return result;
+}
+
+void requireUsable(const std::vector<Job>& all, const ExportArguments& arguments,
+                   const CommonOptions& common) {
+  std::vector<fs::path> outputs;
+  for (const Job& job : all) {
+    if (job.isTree && (arguments.units != LengthUnit::Mm || arguments.frame != Frame::Lps)) {
+      throw InvalidOption(
+          "trees are always written in LPS and mm, so --units and --frame do not go with '" +
+          job.input.string() + "'");
+    }
+    if (std::find(outputs.begin(), outputs.end(), job.output) != outputs.end()) {
+      throw InvalidOption("two inputs would be written to '" + job.output.string() +
+                          "'; export them one by one");
+    }
+    outputs.push_back(job.output);
+    std::error_code error;
+    const bool folderComes =
+        job.output.parent_path() == common.output && !fs::exists(common.output, error);
+    if (folderComes) {
+      requireOutput(common.output, common.existing());  // the folder itself can be made
+    } else if (job.isTree) {
+      requireTreeOutput(job.output, common.existing());
+    } else {
+      requireSurfaceOutput(job.output, common.existing());
+    }
+  }
+}
+
+/// Returns what reading the input had to convert or leave out.
+std::vector<std::string> run(const Job& job, const ExportArguments& arguments,
+                             const std::vector<Lobe>& only) {
+  if (job.isTree) {
+    TreeFile file = readTree(job.input);
+    AirwayTree tree = scaled(file.tree, millimetresIn(arguments.fromUnits));
+    if (!only.empty()) tree = onlyLobes(tree, only);
+    writeTree(job.output, tree, file.metadata);
+    return std::move(file.notes);
+  }
+  SurfaceFile file = readSurface(job.input);
+  const double factor = millimetresIn(arguments.fromUnits) / millimetresIn(arguments.units);
+  TriangleMesh mesh = scaled(std::move(file.mesh), factor);
+  const bool turn = arguments.frame == Frame::Ras;
+  if (turn) mesh = turnedToOtherFrame(std::move(mesh));
+  writeSurface(job.output, mesh, {turn ? "RAS" : "LPS", textOf(arguments.units)});
+  return std::move(file.notes);
+}
+
+ExitCode runExport(const ExportArguments& arguments, const CommonOptions& common,
+                   const Progress& progress) {
+  const std::vector<Lobe> only = parsedLobes(arguments.only);
+  const std::vector<Job> all = jobs(arguments, only, common.output);
+  requireUsable(all, arguments, common);
+  const Progress exporting = progress.part(0.0, 1.0, "exporting");
+  OutputSet outputs;
+  std::vector<std::string> notes;
+  std::string text;
+  if (all.front().output != common.output) outputs.addFolder(common.output);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    exporting.report(static_cast<double>(i) / static_cast<double>(all.size()));
+    outputs.add(all[i].output);
+    for (const std::string& note : run(all[i], arguments, only)) notes.push_back(note);
+    text += all[i].input.string() + " -> " + all[i].output.string() + "\n";
+  }
+  progress.report(1.0);
+  outputs.keep();
+  if (!common.quiet) {
+    printWarnings(notes);
+    std::cout << text;
+  }
+  return ExitCode::Done;
+}
+
+}  // namespace
+
+Run declareExport(CLI::App& app, CommonOptions& common) {
+  const auto arguments = std::make_shared<ExportArguments>();
+  addFiles(app, "INPUTS", arguments->inputs, "Surfaces, trees, or folders of surfaces.")
+      ->required();
+  addOutput(app, common, "FILE",
+            "The output: a file for one input, its format by the extension; a folder for several.")
+      ->required();
+  addRepeatable(app, "--only", arguments->only, "LOBES",
+                "Only these lobes, for example RUL,LLL: files by their names, trees by branches.");
+  addFields(app, *arguments);
+  return [arguments, &common](const Progress& progress) {
+    return runExport(*arguments, common, progress);
+  };
+}
+
+}  // namespace pneuma::cli

@@ -1,0 +1,116 @@
+#include "cli/files.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+#include "core/error.h"
+#include "io/surface_file.h"
+#include "io/tree_file.h"
+
+namespace pneuma::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string lowerExtension(const fs::path& path) {
+  std::string text = path.extension().string();
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+[[noreturn]] void throwExtension(const fs::path& path, const std::string& what,
+                                 const std::string& extensions) {
+  throw Unsupported("'" + path.string() + "' cannot be written: " + what + " go to " + extensions +
+                    " files");
+}
+
+}  // namespace
+
+InputFile inputFile(const fs::path& path) { return {path.string(), sha256(readFile(path))}; }
+
+std::vector<fs::path> expanded(std::span<const fs::path> paths) {
+  std::vector<fs::path> files;
+  for (const fs::path& path : paths) {
+    std::error_code error;
+    if (!fs::is_directory(path, error)) {
+      files.push_back(path);
+      continue;
+    }
+    std::vector<fs::path> inside;
+    for (const auto& entry : fs::directory_iterator(path, error)) {
+      if (entry.is_regular_file() &&
+          (isSurfaceFileName(entry.path()) || isTreeFile(entry.path()))) {
+        inside.push_back(entry.path());
+      }
+    }
+    if (error) {
+      throw InputMissing("the folder '" + path.string() + "' cannot be read: " + error.message());
+    }
+    if (inside.empty()) {
+      throw InputMissing("the folder '" + path.string() +
+                         "' holds no surface and no tree; name the files themselves");
+    }
+    std::sort(inside.begin(), inside.end());
+    files.insert(files.end(), inside.begin(), inside.end());
+  }
+  return files;
+}
+
+bool isTreeFileName(const fs::path& path) {
+  static constexpr std::array<std::string_view, 5> Extensions = {".vtp", ".vtu", ".swc", ".csv",
+                                                                 ".json"};
+  return std::find(Extensions.begin(), Extensions.end(), lowerExtension(path)) != Extensions.end();
+}
+
+void requireOutput(const fs::path& path, Existing existing) {
+  std::error_code error;
+  if (existing == Existing::Refuse && fs::is_regular_file(path, error)) {
+    throw OutputFailed("'" + path.string() +
+                       "' exists already; add --force to replace it, or choose another name");
+  }
+  requireWritable(path, existing);
+}
+
+void requireTreeOutput(const fs::path& path, Existing existing) {
+  if (!isTreeFileName(path) || lowerExtension(path) == ".vtu") {
+    throwExtension(path, "trees", ".vtp, .swc, .csv or .json");
+  }
+  requireOutput(path, existing);
+}
+
+void requireSurfaceOutput(const fs::path& path, Existing existing) {
+  if (!isSurfaceFileName(path)) throwExtension(path, "surfaces", ".stl, .ply, .obj or .vtp");
+  requireOutput(path, existing);
+}
+
+void requirePngOutput(const fs::path& path, Existing existing) {
+  if (lowerExtension(path) != ".png") throwExtension(path, "pictures", ".png");
+  requireOutput(path, existing);
+}
+
+OutputSet::~OutputSet() {
+  for (auto path = added_.rbegin(); path != added_.rend(); ++path) {
+    std::error_code ignored;  // already an error on its way out, or nothing to remove
+    fs::remove(*path, ignored);
+  }
+}
+
+void OutputSet::add(const fs::path& path) {
+  std::error_code ignored;
+  if (!fs::exists(path, ignored)) added_.push_back(path);
+}
+
+void OutputSet::addFolder(const fs::path& path) {
+  std::error_code error;
+  if (fs::is_directory(path, error)) return;
+  if (!fs::create_directory(path, error)) {
+    throw OutputFailed("the folder '" + path.string() + "' cannot be made" +
+                       (error ? ": " + error.message() : std::string()) +
+                       "; make its parent first or choose another");
+  }
+  added_.push_back(path);
+}
+
+}  // namespace pneuma::cli

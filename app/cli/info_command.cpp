@@ -1,0 +1,152 @@
+#include <algorithm>
+#include <array>
+#include <iostream>
+#include <memory>
+
+#include "anatomy/branch_order.h"
+#include "anatomy/validation.h"
+#include "cli/arguments.h"
+#include "cli/command.h"
+#include "cli/files.h"
+#include "cli/mesh_report.h"
+#include "cli/text.h"
+#include "io/surface_file.h"
+#include "io/tree_file.h"
+#include "pipeline/report.h"
+
+namespace pneuma::cli {
+namespace {
+
+struct FileInfo {
+  Json json;
+  std::string text;
+};
+
+std::string listed(const std::vector<std::string>& sentences) {
+  std::string text;
+  for (const std::string& sentence : sentences) text += "  ! " + sentence + "\n";
+  return text;
+}
+
+FileInfo surfaceInfo(const std::filesystem::path& path, const Progress& progress) {
+  const SurfaceFile file = readSurface(path);
+  const MeshReport health = examine(file.mesh, SelfIntersections::Ask, progress);
+  const std::vector<std::string> wrong = complaints(health);
+  const std::optional<Lobe> lobe = lobeOfFileName(path.filename().string());
+  FileInfo info;
+  info.json = {{"path", path.string()},
+               {"kind", "surface"},
+               {"format", file.format},
+               {"space", file.space.empty() ? "LPS" : file.space},
+               {"space_stated", !file.space.empty()},
+               {"lobe", std::string(shortName(lobe.value_or(Lobe::Whole)))},
+               {"health", toJson(health)},
+               {"complaints", wrong},
+               {"notes", file.notes}};
+  info.text = path.string() + ": " + file.format + " surface" +
+              (lobe ? ", " + std::string(longName(*lobe)) : std::string()) + ", frame " +
+              (file.space.empty() ? "not stated, taken as LPS" : file.space) + "\n" +
+              textOf(health) + listed(file.notes) + listed(wrong);
+  if (wrong.empty()) {
+    info.text += "  healthy: fit to grow in\n";
+  } else if (health.fitToGrow() && health.unitsGuess == "mm") {
+    info.text += "  fit to grow in all the same\n";
+  }
+  return info;
+}
+
+Json extremes(double low, double high) { return {{"min", low}, {"max", high}}; }
+
+FileInfo treeInfo(const std::filesystem::path& path) {
+  const TreeFile file = readTree(path);
+  const AirwayTree& tree = file.tree;
+  Box3 box;
+  double length = 0.0;
+  double smallestRadius = tree.empty() ? 0.0 : tree[0].radiusMm;
+  double largestRadius = smallestRadius;
+  Json origins = {{"measured", 0}, {"template", 0}, {"grown", 0}};
+  static constexpr std::array<const char*, 3> OriginNames = {"measured", "template", "grown"};
+  for (const Branch& branch : tree) {
+    box.extend(branch.proximal);
+    box.extend(branch.distal);
+    length += lengthMm(branch);
+    smallestRadius = std::min(smallestRadius, branch.radiusMm);
+    largestRadius = std::max(largestRadius, branch.radiusMm);
+    Json& count = origins[OriginNames[static_cast<std::size_t>(branch.origin)]];
+    count = count.get<std::size_t>() + 1;
+  }
+  const std::vector<int> generation = generations(tree);
+  const int deepest =
+      generation.empty() ? 0 : *std::max_element(generation.begin(), generation.end());
+  const std::vector<std::string> wrong = problems(tree);
+
+  FileInfo info;
+  info.json = {{"path", path.string()},
+               {"kind", "tree"},
+               {"format", file.format},
+               {"branches", tree.size()},
+               {"branches_contracted", contractChains(tree).size()},
+               {"terminals", terminalCount(tree)},
+               {"generations", deepest + 1},
+               {"length_mm", length},
+               {"radius_mm", extremes(smallestRadius, largestRadius)},
+               {"origins", origins},
+               {"metadata", file.metadata},
+               {"complaints", wrong},
+               {"notes", file.notes}};
+  const Vec3 size = box.isEmpty() ? Vec3::Zero().eval() : box.sizes().eval();
+  const auto count = [](std::size_t n) { return grouped(static_cast<double>(n)); };
+  info.text = path.string() + ": " + file.format + " tree\n" +
+              table({
+                  {"branches", count(tree.size())},
+                  {"without one-daughter steps", count(info.json.at("branches_contracted"))},
+                  {"terminals", count(terminalCount(tree))},
+                  {"generations", std::to_string(deepest + 1)},
+                  {"size", fixed(size.x(), 1) + " x " + fixed(size.y(), 1) + " x " +
+                               fixed(size.z(), 1) + " mm"},
+                  {"length of all branches", fixed(length / 1000.0, 2) + " m"},
+                  {"radius", fixed(smallestRadius, 2) + " to " + fixed(largestRadius, 2) + " mm"},
+                  {"measured / template / grown", count(origins.at("measured")) + " / " +
+                                                      count(origins.at("template")) + " / " +
+                                                      count(origins.at("grown"))},
+              }) +
+              listed(file.notes) + listed(wrong);
+  return info;
+}
+
+ExitCode runInfo(const std::vector<std::filesystem::path>& paths, const CommonOptions& common,
+                 const Progress& progress) {
+  const std::vector<std::filesystem::path> files = expanded(paths);
+  std::vector<InputFile> inputs;
+  Json infos = Json::array();
+  std::string text;
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    const double from = static_cast<double>(i) / static_cast<double>(files.size());
+    const double to = static_cast<double>(i + 1) / static_cast<double>(files.size());
+    inputs.push_back(inputFile(files[i]));
+    const FileInfo info = isTreeFile(files[i])
+                              ? treeInfo(files[i])
+                              : surfaceInfo(files[i], progress.part(from, to, "examining"));
+    infos.push_back(info.json);
+    text += (i == 0 ? "" : "\n") + info.text;
+  }
+  progress.report(1.0);
+  if (common.json) {
+    Json report = reportEnvelope("pneuma/info/1", inputs, Json::object(), 0);
+    report["files"] = infos;
+    text = jsonText(report);
+  }
+  std::cout << text;
+  return ExitCode::Done;
+}
+
+}  // namespace
+
+Run declareInfo(CLI::App& app, CommonOptions& common) {
+  const auto files = std::make_shared<std::vector<std::filesystem::path>>();
+  addFiles(app, "FILES", *files, "Surfaces, trees, or folders of them.")->required();
+  addJson(app, common);
+  return [files, &common](const Progress& progress) { return runInfo(*files, common, progress); };
+}
+
+}  // namespace pneuma::cli

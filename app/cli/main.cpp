@@ -1,0 +1,48 @@
+#include <algorithm>
+#include <iostream>
+#include <new>
+
+#include "cli/command_line.h"
+#include "cli/interrupt.h"
+
+namespace {
+
+constexpr int SignalBase = 128;  // shells' convention: 128 + number of the signal
+
+/// One line, however the message was made: scripts read standard error line by line.
+void complain(std::string message) {
+  while (!message.empty() && message.back() == '\n') message.pop_back();
+  std::replace(message.begin(), message.end(), '\n', ' ');
+  std::cerr << "pneuma: " << message << std::endl;
+}
+
+pneuma::ExitCode run(int argc, char** argv) {
+  const pneuma::ExitCode code = pneuma::cli::runCommandLine({argv + 1, argv + argc});
+  if (!std::cout.flush()) {
+    throw pneuma::OutputFailed("standard output cannot be written; is the disk full?");
+  }
+  return code;
+}
+
+}  // namespace
+
+/// The one place where the command line catches anything.
+int main(int argc, char** argv) {
+  pneuma::cli::rememberSignals();
+  try {
+    return static_cast<int>(run(argc, argv));
+  } catch (const pneuma::Cancelled&) {
+    complain("stopped on request; nothing was written");
+    return SignalBase + pneuma::cli::receivedSignal();
+  } catch (const pneuma::Error& error) {
+    complain(error.what());
+    return static_cast<int>(error.code());
+  } catch (const std::bad_alloc&) {
+    complain("there is not enough memory; use fewer points or a machine with more");
+    return static_cast<int>(pneuma::ExitCode::OutOfMemory);
+  } catch (const std::exception& error) {
+    complain(std::string("internal error: ") + error.what() +
+             "; this is a bug, please report it with the command you used");
+    return static_cast<int>(pneuma::ExitCode::Internal);
+  }
+}

@@ -1,0 +1,75 @@
+#include <iostream>
+#include <memory>
+
+#include "cli/arguments.h"
+#include "cli/command.h"
+#include "cli/files.h"
+#include "cli/paper_pictures.h"
+#include "cli/text.h"
+#include "pipeline/reproduce.h"
+#include "render/picture.h"
+
+namespace pneuma::cli {
+namespace {
+
+struct ReproduceArguments {
+  std::string paper;
+  std::filesystem::path pictures;
+};
+
+void requireUsable(const ReproduceArguments& arguments, const CommonOptions& common) {
+  if (arguments.pictures.empty()) return;
+  std::error_code error;
+  if (std::filesystem::exists(arguments.pictures, error)) {
+    for (const std::string_view name : paperPictureNames()) {
+      requirePngOutput(arguments.pictures / name, common.existing());
+    }
+  } else {
+    requireOutput(arguments.pictures, common.existing());  // the folder itself can be made
+  }
+  requireDisplay();
+}
+
+ExitCode runReproduce(const ReproduceArguments& arguments, const CommonOptions& common,
+                      const Progress& progress) {
+  const auto known = reproduciblePapers();
+  if (std::find(known.begin(), known.end(), arguments.paper) == known.end()) {
+    (void)reproduce(arguments.paper);  // says which papers there are
+  }
+  requireUsable(arguments, common);
+  const bool draw = !arguments.pictures.empty();
+  const Reproduction reproduction =
+      reproduce(arguments.paper, progress.part(0.0, draw ? 0.7 : 1.0, "repeating the experiment"));
+  OutputSet outputs;
+  if (draw) {
+    outputs.addFolder(arguments.pictures);
+    for (const PaperPicture& picture :
+         paperPictures(reproduction.model, progress.part(0.7, 1.0, "drawing the figures"))) {
+      outputs.add(arguments.pictures / picture.name);
+      writeFile(arguments.pictures / picture.name, pngText(picture.picture), common.existing());
+    }
+  }
+  progress.report(1.0);
+  outputs.keep();
+  std::cout << (common.json ? jsonText(toJson(reproduction)) : textOf(reproduction));
+  return reproduction.ok() ? ExitCode::Done : ExitCode::CheckFailed;
+}
+
+}  // namespace
+
+Run declareReproduce(CLI::App& app, CommonOptions& common) {
+  const auto arguments = std::make_shared<ReproduceArguments>();
+  app.add_option("PAPER", arguments->paper, "The paper.")
+      ->type_name(choiceType(reproduciblePapers()))
+      ->required();
+  app.add_option("--pictures", arguments->pictures,
+                 "Draw the paper's figures into this folder; made if it is not there.")
+      ->type_name("FOLDER");
+  addForce(app, common);
+  addJson(app, common);
+  return [arguments, &common](const Progress& progress) {
+    return runReproduce(*arguments, common, progress);
+  };
+}
+
+}  // namespace pneuma::cli

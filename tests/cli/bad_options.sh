@@ -1,0 +1,61 @@
+#!/usr/bin/env bash
+# Commands and options that cannot be: exit 2, the field, its range and unit named, the nearest word suggested.
+. "$(dirname "$0")/lib.sh"
+
+ball 60 >ball.obj
+refuses "an unknown command" 2 "no command 'grwo'.*did you mean 'grow'" grwo
+refuses "a command like none" 2 "no command 'zzzzzz'.*pneuma help" zzzzzz
+refuses "an option for a command" 2 "first argument is a command" --json
+refuses "an unknown option" 2 "grow has no option '--terminal'.*--terminals" grow ball.obj --terminal 5 -o t.vtp
+refuses "an unknown short option" 2 "no option '-x'" grow ball.obj -x -o t.vtp
+refuses "an unknown option with a value" 2 "no option '--colour-bye'.*--colour-by" render ball.obj --colour-bye=lobe -o x.png
+refuses "one argument too many" 2 "'more'.*too many" version more
+refuses "no output" 2 "output.*required" grow ball.obj
+refuses "no input" 2 "surfaces.*--organ" grow -o t.vtp
+refuses "surfaces and an organ" 2 "not both" grow ball.obj --organ right-lung -o t.vtp
+refuses "an option without its value" 2 "--output|-o" grow ball.obj -o
+refuses "an unknown organ" 2 "organ.*right-lung.*'spleen'" grow --organ spleen -o t.vtp
+refuses "an unknown method" 2 "method.*'kitaoke'|'kitaoke'" grow ball.obj --method kitaoke -o t.vtp
+refuses "an unknown paper" 2 "paper.*huang-2004.*'huang'" reproduce huang
+refuses "an unknown view" 2 "view.*'sideways'|'sideways'" render ball.obj --view sideways -o x.png
+refuses "an unknown colour" 2 "colour-by.*lobe.*strahler.*'taste'" render ball.obj --colour-by taste -o x.png
+refuses "an unknown palette" 2 "palette.*huang.*'x'" render ball.obj --palette x -o x.png
+refuses "an unknown background" 2 "background.*dark.*'pink'" render ball.obj --background pink -o x.png
+refuses "a size that is none" 2 "size.*WIDTHxHEIGHT.*'big'" render ball.obj --size big -o x.png
+refuses "a size out of range" 2 "size.*\[16, 8192\] pixels.*99999x10" render ball.obj --size 99999x10 -o x.png
+refuses "an unknown lobe to hide" 2 "hide.*RUL.*'spleen'" render ball.obj --hide spleen -o x.png
+refuses "a difference from nothing" 2 "diff needs --reference" render ball.obj --diff d.png -o x.png
+refuses "an opacity out of range" 2 "opacity.*\[0, 1\].*3" render ball.obj --opacity 3 -o x.png
+refuses "an unknown shell" 2 "bash.*zsh.*fish.*'csh'" completion csh
+refuses "help for an unknown command" 2 "no command 'growe'.*'grow'" help growe
+refuses "an unknown lobe to export" 2 "only.*RUL.*'XXX'" export ball.obj --only XXX -o x.stl
+refuses "an unknown frame" 2 "frame.*lps.*'abc'" export ball.obj --frame abc -o x.stl
+refuses "unknown units" 2 "from-units.*mm.*'inch'" export ball.obj --from-units inch -o x.stl
+refuses "threads out of range" 2 "threads.*\[0, 4096\].*99999" grow ball.obj -j 99999 -o t.vtp
+refuses "threads that are no number" 2 "threads.*number.*'many'" grow ball.obj --threads many -o t.vtp
+refuses "an unknown progress" 2 "progress.*auto.*'loud'" grow ball.obj --progress loud -o t.vtp
+refuses "CSV and JSON" 2 "csv.*json" measure t.vtp --csv --json
+refuses "domain and organ" 2 "not both" measure t.vtp --domain ball.obj --organ right-lung
+refuses "a lattice out of range" 2 "cell.*\[0.5, 10\] mm.*500" sample chest --cell 500
+refuses "a lattice in a wrong unit" 2 "cell.*mm.*'2kg'" sample chest --cell 2kg
+
+grow=(grow ball.obj -o t.vtp)
+refuses "a ratio out of range" 2 "ratio.*\[0.05, 1\].*7" "${grow[@]}" --set ratio=7
+refuses "an angle out of range" 2 "max-angle.*\[0, 180\] deg.*900" "${grow[@]}" --set max-angle=900
+refuses "a length in a wrong unit" 2 "min-length.*mm.*'1m'" "${grow[@]}" --set min-length=1m
+refuses "a value that is no number" 2 "ratio.*number.*'much'" "${grow[@]}" --set ratio=much
+refuses "a value that is not whole" 2 "min-points.*1.5" "${grow[@]}" --set min-points=1.5
+refuses "an unknown key" 2 "'ratioo'.*did you mean 'ratio'" "${grow[@]}" --set ratioo=0.4
+refuses "no equals sign" 2 "key=value.*'ratio'" "${grow[@]}" --set ratio
+refuses "an unknown choice" 2 "containment.*none, ends, branches.*'all'" "${grow[@]}" --set containment=all
+refuses "terminals out of range" 2 "terminals.*\[0, 5000000\]|terminals.*5e\+06" "${grow[@]}" --terminals 1e12
+refuses "negative points" 2 "points.*-5" "${grow[@]}" --points -5
+refuses "a seed that is no number" 2 "seed.*'x'" "${grow[@]}" --seed x
+refuses "not a number" 2 "ratio.*'nan'" "${grow[@]}" --set ratio=nan
+
+caseName="no command at all"
+cases=$((cases + 1))
+run
+[ "$code" -eq 2 ] || fail "exit code $code, not 2"
+grep -q '^Usage: ' "$logs/err" || fail "no usage"
+finish

@@ -1,0 +1,69 @@
+#!/usr/bin/env bash
+# Outputs that cannot be written: exit 6 (5 for an unknown format) before the work, nothing left.
+. "$(dirname "$0")/lib.sh"
+
+ball 60 >ball.obj
+: >file
+echo old >there.vtp
+echo old >there.json
+mkdir folder.vtp
+
+refuses "a folder that is not there" 6 "nowhere.*does not exist" grow ball.obj -o nowhere/tree.vtp
+refuses "a file for a folder" 6 "file.*not a folder" grow ball.obj -o file/tree.vtp
+refuses "a folder for a file" 6 "folder.vtp.*folder" grow ball.obj -o folder.vtp
+refuses "a folder that takes no files" 6 "proc" grow ball.obj -o /proc/tree.vtp
+refuses "an output that exists" 6 "there.vtp.*exists.*--force" grow ball.obj -o there.vtp
+refuses "a report that exists" 6 "there.json.*exists.*--force" grow ball.obj -o tree.vtp --report there.json
+refuses "report and tree in one file" 2 "same file" grow ball.obj -o tree.json --report tree.json
+refuses "an unknown tree format" 5 "tree.stl.*vtp.*swc" grow ball.obj -o tree.stl
+refuses "no extension" 5 "tree.*vtp" grow ball.obj -o tree
+refuses "an unknown surface format" 5 "ball.swc.*stl" repair ball.obj -o ball.swc
+refuses "an unknown picture format" 5 "ball.jpg.*png" render ball.obj -o ball.jpg
+refuses "a picture that is there" 6 "there.png.*exists" render ball.obj -o "$(: >there.png; echo there.png)"
+refuses "repair onto a file" 6 "there.stl.*exists" repair ball.obj -o "$(: >there.stl; echo there.stl)"
+refuses "export onto a file" 6 "there.stl.*exists" export ball.obj -o there.stl
+refuses "measure onto a file" 6 "there.json.*exists" measure nothing.swc -o there.json
+refuses "a sample into a file" 6 "file" sample file
+refuses "a sample below no folder" 6 "nowhere.*does not exist" sample nowhere/chest
+refuses "pictures into a file" 6 "file" reproduce huang-2004 --pictures file
+
+mkdir chest
+: >chest/lll.stl
+refuses "a sample onto a file" 6 "lll.stl.*exists" sample chest
+[ "$(cat there.vtp)" = old ] || { caseName="old files"; fail "an existing file was touched"; }
+
+# The disk is full while the tree is written: as a limit on the size of files, which every user
+# can set, and where it can be mounted as a small disk.
+bigGrowth=(grow ball.obj --points 20000)
+PNEUMA_BINARY=$PNEUMA
+limitedProgram=$logs/limited
+printf '#!/bin/sh\nulimit -f 8\nexec "%s" "$@"\n' "$PNEUMA" >"$limitedProgram"
+chmod +x "$limitedProgram"
+PNEUMA=$limitedProgram
+refuses "a file larger than allowed" 6 "tree.vtp" "${bigGrowth[@]}" -o tree.vtp
+refuses "a report larger than allowed leaves no tree" 6 "tree.vtp|r.json" "${bigGrowth[@]}" -o tree.vtp --report r.json
+refuses "a sample larger than allowed" 6 "lobes" sample lobes --cell 4mm
+PNEUMA=$PNEUMA_BINARY
+mkdir small
+if mount -t tmpfs -o size=64k none small 2>/dev/null; then
+  refuses "a full disk" 6 "small.*full" "${bigGrowth[@]}" -o small/tree.vtp
+  umount small
+fi
+
+# Standard output can be full as well.
+caseName="standard output on a full device"
+cases=$((cases + 1))
+: >"$logs/out"
+"$PNEUMA" version >/dev/full 2>"$logs/err"
+code=$?
+[ "$code" -eq 6 ] || fail "exit code $code, not 6"
+
+# With --force it works, and the old file is whole or gone for the new one.
+succeeds "replacing on request" grow ball.obj --points 2000 -o there.vtp --report there.json --force
+grep -q '<VTKFile' there.vtp || fail "the old file is still there"
+if [ "$(id -u)" -ne 0 ]; then
+  mkdir locked
+  chmod a-w locked
+  refuses "a read-only folder" 6 "locked.*read-only" grow ball.obj -o locked/tree.vtp
+fi
+finish

@@ -1,0 +1,37 @@
+#!/usr/bin/env bash
+# The completion scripts are valid in their shells, and bash's completes commands, options and values.
+. "$(dirname "$0")/lib.sh"
+
+for shell in bash zsh fish; do
+  succeeds "completion $shell" completion "$shell"
+  cp "$logs/out" "completion.$shell"
+  command -v "$shell" >/dev/null && expect "$shell does not accept it" "$shell" -n "completion.$shell"
+done
+
+# completes "WORDS" EXPECTED: bash offers EXPECTED for the last word.
+completes() {
+  caseName="completing '$1'"
+  cases=$((cases + 1))
+  local offers
+  offers=$(
+    . ./completion.bash
+    read -ra COMP_WORDS <<<"$1"
+    [[ $1 == *' ' ]] && COMP_WORDS+=("")
+    COMP_CWORD=$((${#COMP_WORDS[@]} - 1))
+    COMPREPLY=()
+    _pneuma
+    printf '%s\n' "${COMPREPLY[@]}"
+  )
+  grep -qx -- "$2" <<<"$offers" || fail "offered: $offers"
+}
+
+: >lobe.stl
+completes "pneuma gr" grow
+completes "pneuma grow --ter" --terminals
+completes "pneuma grow --method " centroid
+completes "pneuma grow --organ r" right-lung
+completes "pneuma grow lo" lobe.stl
+completes "pneuma render --colour-by str" strahler
+completes "pneuma reproduce h" huang-2004
+completes "pneuma help mea" measure
+finish

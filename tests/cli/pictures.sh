@@ -1,0 +1,36 @@
+#!/usr/bin/env bash
+# Pictures from the command line; to be run under an X server.
+. "$(dirname "$0")/lib.sh"
+
+fiveBalls lobes
+succeeds "a tree to draw" grow lobes --terminals 3000 -o tree.vtp
+size=(--size 480x360)
+for view in anterior posterior left right superior inferior A 30,20; do
+  succeeds "view $view" render lobes tree.vtp "${size[@]}" --view "$view" -o "view_$view.png"
+  expect "no PNG" test "$(head -c 4 "view_$view.png" | tail -c 3)" = PNG
+done
+expect "a letter is the word" cmp view_anterior.png view_A.png
+for colour in lobe segment generation strahler diameter flow; do
+  succeeds "coloured by $colour" render tree.vtp "${size[@]}" --colour-by "$colour" -o "colour_$colour.png"
+done
+succeeds "all the other options" render lobes tree.vtp "${size[@]}" --palette huang --background white --opacity 0.5 \
+  --max-generation 6 --hide rul --hide LLL --no-annotations --radius-scale 2 -o options.png
+
+succeeds "the same picture is the same" render lobes tree.vtp "${size[@]}" -o again.png --reference view_anterior.png
+prints 'within the limit'
+caseName="another picture is another one"
+cases=$((cases + 1))
+run render lobes tree.vtp "${size[@]}" --view left -o left.png --reference view_anterior.png --threshold 0.03 --diff diff.png
+[ "$code" -eq 8 ] || fail "exit code $code, not 8"
+expect "no difference was drawn" test -s diff.png
+refuses "pictures of two sizes" 4 "size|480" render tree.vtp --size 200x200 -o small.png --reference view_anterior.png
+refuses "a reference that is no picture" 4 "tree.vtp" render tree.vtp -o x.png --reference tree.vtp
+refuses "a reference that is missing" 3 "missing.png" render tree.vtp -o x.png --reference missing.png
+
+DISPLAY= refuses "no display" 10 "xvfb-run" render tree.vtp -o x.png
+DISPLAY=:9999 refuses "a display that does not answer" 10 "xvfb-run" render tree.vtp -o x.png
+DISPLAY= refuses "no display for the figures" 10 "xvfb-run" reproduce huang-2004 --pictures figures
+
+succeeds "the figures of a paper" reproduce huang-2004 --pictures figures
+for figure in fig1 fig4 fig5; do expect "no $figure" test -s "figures/$figure.png"; done
+finish

@@ -1,0 +1,25 @@
+#!/usr/bin/env bash
+# Five lobes and the airways of one person, from PNEUMA_TEST_DATA; on five balls where that is not set.
+. "$(dirname "$0")/lib.sh"
+
+data=${PNEUMA_TEST_DATA:-}/lobes_airways_chaste
+if [ -d "$data" ]; then
+  inputs=("$data" --central "$data/TestSubject002MajorAirways.vtu")
+else
+  echo "PNEUMA_TEST_DATA is not set: five balls instead of a real lung"
+  fiveBalls lobes
+  inputs=(lobes)
+fi
+
+# number KEY: the first number under this key of the report.
+number() { sed -n "s/.*\"$1\": \([0-9.e+-]*\).*/\1/p" r.json | head -n 1; }
+within() { awk -v x="$1" -v low="$2" -v high="$3" 'BEGIN { exit !(x >= low && x <= high) }'; }
+
+succeeds "30,000 terminals" grow "${inputs[@]}" --terminals 30000 -o tree.vtp --report r.json
+cat "$logs/out"
+expect "terminals: $(number terminals)" within "$(number terminals)" 29100 30900
+expect "ends outside: $(number ends)" test "$(number ends)" = 0
+expect "segments outside: $(number segments)" test "$(number segments)" = 0
+succeeds "the tree is sound" info tree.vtp
+expect "the tree has complaints" test -z "$(grep '^  ! ' "$logs/out")"
+finish
