@@ -1,0 +1,183 @@
+#include "document/document.h"
+
+#include <utility>
+
+#include "document/text.h"
+#include "io/atomic_file.h"
+#include "io/tree_file.h"
+#include "pipeline/report.h"
+#include "pipeline/sample_chest.h"
+
+namespace pneuma {
+
+namespace {
+
+constexpr std::size_t UndoSteps = 100;
+
+QString nameOf(const LungModel& model) {
+  if (model.inputs.empty()) return {};
+  const QString first = fileNameOf(model.inputs.front().path);
+  const std::size_t others = model.inputs.size() - 1;
+  return others == 0 ? first : QStringLiteral("%1 and %2 more").arg(first).arg(others);
+}
+
+/// `read` put together with what is open, where the one has what the other lacks.
+LungModel joined(const LungModel& open, LungModel read) {
+  const bool treeOnly = !read.surfaces && (read.central || read.opened);
+  const bool lobesOnly = read.surfaces && !read.central && !read.opened;
+  if (treeOnly && open.surfaces) {
+    LungModel both = open;
+    both.growth = nullptr;
+    if (read.central) {
+      both.central = read.central;
+      both.opened = nullptr;
+    } else {
+      both.opened = read.opened;
+    }
+    both.inputs.insert(both.inputs.end(), read.inputs.begin(), read.inputs.end());
+    both.warnings.insert(both.warnings.end(), read.warnings.begin(), read.warnings.end());
+    both.readSeconds += read.readSeconds;
+    return both;
+  }
+  if (lobesOnly && !open.surfaces && open.central) {
+    read.central = open.central;
+    read.inputs.insert(read.inputs.begin(), open.inputs.begin(), open.inputs.end());
+    read.warnings.insert(read.warnings.begin(), open.warnings.begin(), open.warnings.end());
+  }
+  return read;
+}
+
+QString whatWasRead(const LungModel& model) {
+  QStringList parts;
+  if (model.surfaces) parts << counted(model.surfaces->size(), "surface", "surfaces");
+  if (const auto tree = treeOf(model)) parts << counted(tree->size(), "branch", "branches");
+  return parts.join(QStringLiteral(" and "));
+}
+
+}  // namespace
+
+Document::Document(QObject* parent)
+    : QObject(parent), growthOptions_(growthMethods().front().defaults) {
+  connect(&jobs_, &JobQueue::failed, this, &Document::fail);
+  connect(&jobs_, &JobQueue::cancelled, this, [this](const QString& title) {
+    emit said(tr("%1: stopped, nothing was changed").arg(title));
+  });
+  // Whether something can be undone depends on the queue being idle.
+  connect(&jobs_, &JobQueue::busyChanged, this, &Document::changed);
+}
+
+void Document::setGrowthOptions(const GrowthOptions& options) {
+  if (options == growthOptions_) return;
+  growthOptions_ = options;
+  emit growthOptionsChanged();
+}
+
+bool Document::growthOutOfDate() const {
+  return snapshot_.model.growth && !(snapshot_.model.growth->options == growthOptions_);
+}
+
+bool Document::canGrow() const {
+  return (snapshot_.model.surfaces && !snapshot_.model.surfaces->empty()) ||
+         snapshot_.model.regions != nullptr;
+}
+
+void Document::open(std::vector<std::filesystem::path> paths) {
+  touched_ = paths;
+  jobs_.push(tr("Opening"), [this, paths = std::move(paths),
+                             open = snapshot_.model](const Progress& progress) {
+    LungModel model = joined(open, openFiles(paths, progress.part(0.0, 0.95, "reading")));
+    const QString name = nameOf(model);
+    Snapshot next = snapshotOf(std::move(model), name);
+    return JobQueue::Continuation([this, next = std::move(next)] {
+      emit said(tr("Opened %1").arg(whatWasRead(next.model)));
+      become(next, tr("open"));
+    });
+  });
+}
+
+void Document::openSample() {
+  jobs_.push(tr("Making the sample chest"), [this](const Progress& progress) {
+    SampleChest chest = sampleChest(2.0, progress.part(0.0, 0.95, "synthetic lobes"));
+    LungModel model;
+    model.surfaces = std::make_shared<const std::vector<LobeSurface>>(std::move(chest.lobes));
+    model.central = std::make_shared<const AirwayTree>(std::move(chest.central));
+    Snapshot next = snapshotOf(std::move(model), tr("Sample chest (synthetic)"));
+    return JobQueue::Continuation([this, next = std::move(next)] {
+      emit said(tr("Opened the sample chest: %1").arg(whatWasRead(next.model)));
+      become(next, tr("open the sample chest"));
+    });
+  });
+}
+
+void Document::grow() {
+  jobs_.push(tr("Growing airways"), [this, model = snapshot_.model, name = snapshot_.name,
+                                     options = growthOptions_](const Progress& progress) {
+    Snapshot next = snapshotOf(pneuma::grow(model, options, progress), name);
+    return JobQueue::Continuation([this, next = std::move(next)] {
+      const Growth& growth = *next.model.growth;
+      emit said(tr("Grown in %1: %2, %3")
+                    .arg(withUnit(growth.domainSeconds + growth.growSeconds, 1, "s"),
+                         counted(growth.result.tree.size(), "branch", "branches"),
+                         counted(next.figures->terminals, "terminal", "terminals")));
+      become(next, tr("grow airways"));
+    });
+  });
+}
+
+void Document::saveTree(const std::filesystem::path& path) {
+  const auto shown = tree();
+  if (!shown) {
+    emit failed(tr("Save tree"), tr("There is no tree to save yet: open one or grow one first."));
+    return;
+  }
+  touched_ = {path};
+  jobs_.push(tr("Saving the tree"), [this, path, shown, model = snapshot_.model](const Progress&) {
+    writeTree(path, *shown, treeMetadata(model));
+    return JobQueue::Continuation([this, path, shown] {
+      saved_ = shown;
+      emit said(
+          tr("Saved %1: %2").arg(fileNameOf(path), counted(shown->size(), "branch", "branches")));
+    });
+  });
+}
+
+void Document::saveFile(const std::filesystem::path& path, std::string content) {
+  touched_ = {path};
+  jobs_.push(tr("Saving"), [this, path, content = std::move(content)](const Progress&) {
+    writeFile(path, content);
+    return JobQueue::Continuation(
+        [this, path] { emit said(tr("Saved %1").arg(fileNameOf(path))); });
+  });
+}
+
+void Document::fail(const QString& title, const QString& sentence) {
+  emit failed(title, withoutFolders(sentence, touched_));
+}
+
+void Document::become(Snapshot next, const QString& stepName) {
+  undo_.push_back({stepName, std::move(snapshot_)});
+  if (undo_.size() > UndoSteps) undo_.erase(undo_.begin());
+  redo_.clear();
+  snapshot_ = std::move(next);
+  emit changed();
+}
+
+void Document::undo() {
+  if (!canUndo()) return;
+  Step step = std::move(undo_.back());
+  undo_.pop_back();
+  redo_.push_back({step.name, std::exchange(snapshot_, std::move(step.snapshot))});
+  emit said(tr("Undone: %1").arg(step.name));
+  emit changed();
+}
+
+void Document::redo() {
+  if (!canRedo()) return;
+  Step step = std::move(redo_.back());
+  redo_.pop_back();
+  undo_.push_back({step.name, std::exchange(snapshot_, std::move(step.snapshot))});
+  emit said(tr("Redone: %1").arg(step.name));
+  emit changed();
+}
+
+}  // namespace pneuma

@@ -1,0 +1,107 @@
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "document/job_queue.h"
+#include "document/snapshot.h"
+#include "growth/growth.h"
+
+namespace pneuma {
+
+/// One person's lungs as the window works on them: the snapshot shown, what was before it and what
+/// was undone, the options of the next growth, and the jobs. Needs no display.
+class Document : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit Document(QObject* parent = nullptr);
+
+  const Snapshot& snapshot() const { return snapshot_; }
+
+  const LungModel& model() const { return snapshot_.model; }
+
+  /// Null if there is no tree.
+  std::shared_ptr<const AirwayTree> tree() const { return treeOf(snapshot_.model); }
+
+  const GrowthOptions& growthOptions() const { return growthOptions_; }
+
+  void setGrowthOptions(const GrowthOptions& options);
+
+  /// True if the tree shown was grown with other options than those set now.
+  bool growthOutOfDate() const;
+
+  /// True if there are lobes to grow in.
+  bool canGrow() const;
+
+  JobQueue& jobs() { return jobs_; }
+
+  const JobQueue& jobs() const { return jobs_; }
+
+  /// Reads files and folders. A tree alone is added to the lobes that are open, lobes alone to the
+  /// tree that is open; otherwise what was read replaces what was there. Can be undone.
+  void open(std::vector<std::filesystem::path> paths);
+
+  /// Opens the synthetic chest. Can be undone.
+  void openSample();
+
+  /// Grows airways with growthOptions(). Can be undone.
+  void grow();
+
+  /// Writes the tree as VTP, SWC, CSV or JSON by the extension.
+  void saveTree(const std::filesystem::path& path);
+
+  /// Writes a file that is ready, for example a picture.
+  void saveFile(const std::filesystem::path& path, std::string content);
+
+  /// True if the tree shown is in a file as it is.
+  bool treeSaved() const { return saved_ != nullptr && saved_ == tree(); }
+
+  bool canUndo() const { return !undo_.empty() && !jobs_.busy(); }
+
+  bool canRedo() const { return !redo_.empty() && !jobs_.busy(); }
+
+  /// What undo() takes back, for example "grow airways"; empty if there is nothing.
+  QString undoName() const { return undo_.empty() ? QString() : undo_.back().name; }
+
+  QString redoName() const { return redo_.empty() ? QString() : redo_.back().name; }
+
+  void undo();
+  void redo();
+
+ signals:
+  /// The snapshot is another one, or what can be undone is.
+  void changed();
+
+  void growthOptionsChanged();
+
+  /// One sentence on what has just been done, for the status bar.
+  void said(const QString& sentence);
+
+  /// @param title what was tried
+  /// @param sentence what is wrong and what to do
+  void failed(const QString& title, const QString& sentence);
+
+ private:
+  struct Step {
+    QString name;
+    Snapshot snapshot;
+  };
+
+  void become(Snapshot next, const QString& stepName);
+  void fail(const QString& title, const QString& sentence);
+
+  Snapshot snapshot_;
+  GrowthOptions growthOptions_;
+  std::vector<Step> undo_;
+  std::vector<Step> redo_;
+  std::shared_ptr<const AirwayTree> saved_;     ///< the tree that was saved last
+  std::vector<std::filesystem::path> touched_;  ///< what open() and the savers last worked on
+  JobQueue jobs_;
+};
+
+}  // namespace pneuma

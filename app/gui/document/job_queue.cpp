@@ -1,0 +1,157 @@
+#include "document/job_queue.h"
+
+#include <atomic>
+#include <new>
+#include <utility>
+
+#include "core/error.h"
+
+namespace pneuma {
+
+namespace {
+
+constexpr int CollectEveryMs = 20;
+
+enum class Outcome { Finished, Cancelled, Failed };
+
+}  // namespace
+
+/// One piece of work, its progress and what became of it.
+struct JobQueue::Job final : ProgressSink {
+  std::string title;
+  Compute compute;
+  std::uint64_t epoch = 0;
+
+  std::atomic<double> fraction = 0.0;
+  std::atomic<bool> stop = false;
+  std::mutex whatMutex;
+  std::string what;
+
+  // Written by the worker before the job is handed over, read afterwards.
+  Outcome outcome = Outcome::Finished;
+  Continuation continuation;
+  std::string sentence;
+
+  void report(double newFraction, std::string_view newWhat) override {
+    fraction = newFraction;
+    // A name that cannot be stored at once is stored by the next report: never hold up the work.
+    const std::unique_lock lock(whatMutex, std::try_to_lock);
+    if (lock && what != newWhat) what = newWhat;
+  }
+
+  bool stopRequested() const override { return stop; }
+
+  void run() {
+    try {
+      const Progress progress(*this);
+      progress.throwIfStopped();
+      continuation = compute(progress);
+    } catch (const Cancelled&) {
+      outcome = Outcome::Cancelled;
+    } catch (const Error& error) {
+      outcome = Outcome::Failed;
+      sentence = error.what();
+    } catch (const std::bad_alloc&) {
+      outcome = Outcome::Failed;
+      sentence =
+          "There is not enough memory for this; ask for fewer branches or close other programs.";
+    } catch (const std::exception& error) {
+      outcome = Outcome::Failed;
+      sentence = std::string("Something went wrong inside Pneuma (") + error.what() +
+                 "); what was there before is unchanged.";
+    }
+    compute = nullptr;
+  }
+};
+
+JobQueue::JobQueue(QObject* parent) : QObject(parent) {
+  timer_.setInterval(CollectEveryMs);
+  connect(&timer_, &QTimer::timeout, this, &JobQueue::collect);
+  worker_ = std::jthread([this](const std::stop_token& stop) { work(stop); });
+}
+
+JobQueue::~JobQueue() {
+  const std::lock_guard lock(mutex_);
+  waiting_.clear();
+  if (running_) running_->stop = true;
+}
+
+void JobQueue::push(const QString& title, Compute compute) {
+  auto job = std::make_shared<Job>();
+  job->title = title.toStdString();
+  job->compute = std::move(compute);
+  job->epoch = epoch_;
+  {
+    const std::lock_guard lock(mutex_);
+    waiting_.push_back(std::move(job));
+  }
+  wake_.notify_one();
+  timer_.start();
+  if (++pending_ == 1) emit busyChanged(true);
+}
+
+void JobQueue::cancel() {
+  ++epoch_;
+  const std::lock_guard lock(mutex_);
+  // Those that wait are handed over like those that ran, so that each is answered once.
+  for (auto& job : waiting_) {
+    job->outcome = Outcome::Cancelled;
+    done_.push_back(std::move(job));
+  }
+  waiting_.clear();
+  if (running_) running_->stop = true;
+}
+
+void JobQueue::work(const std::stop_token& stop) {
+  std::unique_lock lock(mutex_);
+  while (wake_.wait(lock, stop, [this] { return !waiting_.empty(); })) {
+    running_ = std::move(waiting_.front());
+    waiting_.pop_front();
+    Job& job = *running_;
+    lock.unlock();
+    job.run();
+    lock.lock();
+    done_.push_back(std::move(running_));
+    running_ = nullptr;
+  }
+}
+
+void JobQueue::collect() {
+  std::deque<std::shared_ptr<Job>> done;
+  std::shared_ptr<Job> running;
+  {
+    const std::lock_guard lock(mutex_);
+    done.swap(done_);
+    running = running_;
+  }
+  for (const auto& job : done) deliver(*job);
+  if (running && running->epoch == epoch_) {
+    std::string what;
+    {
+      const std::lock_guard lock(running->whatMutex);
+      what = running->what;
+    }
+    emit progressed(QString::fromStdString(running->title), running->fraction,
+                    QString::fromStdString(what));
+  }
+  if (done.empty()) return;
+  pending_ -= static_cast<int>(done.size());
+  if (pending_ > 0) return;
+  timer_.stop();
+  emit busyChanged(false);
+}
+
+void JobQueue::deliver(Job& job) {
+  const QString title = QString::fromStdString(job.title);
+  if (job.epoch != epoch_ || job.outcome == Outcome::Cancelled) {
+    job.continuation = nullptr;
+    emit cancelled(title);
+  } else if (job.outcome == Outcome::Failed) {
+    emit failed(title, QString::fromStdString(job.sentence));
+  } else {
+    if (job.continuation) job.continuation();
+    emit finished(title);
+  }
+}
+
+}  // namespace pneuma

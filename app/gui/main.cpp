@@ -1,0 +1,121 @@
+#include <QCommandLineParser>
+#include <QSettings>
+#include <QTimer>
+#include <cstdio>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/error.h"
+#include "pipeline/report.h"
+#include "scripting.h"
+#include "widgets/application.h"
+#include "widgets/main_window.h"
+
+namespace {
+
+using namespace pneuma;
+
+constexpr const char* ThemeKey = "theme";
+
+bool hasDisplay() {
+#ifdef Q_OS_UNIX
+  return qEnvironmentVariableIsSet("DISPLAY") || qEnvironmentVariableIsSet("WAYLAND_DISPLAY") ||
+         qEnvironmentVariableIsSet("QT_QPA_PLATFORM");
+#else
+  return true;
+#endif
+}
+
+struct CommandLine {
+  QCommandLineParser parser;
+  QCommandLineOption help{{"h", "help"}, "Show this help."};
+  QCommandLineOption version{{"v", "version"}, "Show the version."};
+  QCommandLineOption theme{"theme", "dark or light.", "name"};
+  QCommandLineOption play{"play", "Play a script of steps, then quit.", "script.json"};
+  QCommandLineOption screenshots{"screenshots", "Folder for the script's pictures.", "folder", "."};
+
+  CommandLine() {
+    parser.setApplicationDescription(
+        "Grows and shows airway trees in lung lobes. Research use only; not a medical device.");
+    play.setFlags(QCommandLineOption::HiddenFromHelp);
+    screenshots.setFlags(QCommandLineOption::HiddenFromHelp);
+    parser.addOptions({help, version, theme, play, screenshots});
+    parser.addPositionalArgument("FILE", "Surfaces, folders and airway trees to open.",
+                                 "[FILE...]");
+  }
+};
+
+int say(std::FILE* stream, const std::string& text, ExitCode code) {
+  std::fputs(text.c_str(), stream);
+  return static_cast<int>(code);
+}
+
+int playScript(MainWindow& window, const QString& script, const QString& folder) {
+  try {
+    ScriptPlayer(window, folder).play(script);
+    return static_cast<int>(ExitCode::Done);
+  } catch (const ScriptError& error) {
+    return say(stderr, std::string("pneuma-desktop: ") + error.what() + "\n",
+               ExitCode::CheckFailed);
+  }
+}
+
+int runWindow(const CommandLine& line) {
+  const bool playing = line.parser.isSet(line.play);
+  // A script must not depend on what somebody chose last.
+  QSettings settings;
+  QString theme = line.parser.value(line.theme);
+  if (theme.isEmpty() && !playing) theme = settings.value(ThemeKey).toString();
+
+  MainWindow window;
+  window.setTheme(theme == QLatin1String("light") ? ThemeName::Light : ThemeName::Dark);
+  QObject::connect(&window, &MainWindow::themeChosen, [&](ThemeName name) {
+    if (!playing) settings.setValue(ThemeKey, name == ThemeName::Light ? "light" : "dark");
+  });
+  window.resize(1600, 1000);
+  window.show();
+  std::vector<std::filesystem::path> files;
+  for (const QString& file : line.parser.positionalArguments())
+    files.emplace_back(file.toStdString());
+  window.open(std::move(files));
+  if (playing) {
+    QTimer::singleShot(0, &window, [&] {
+      QApplication::exit(
+          playScript(window, line.parser.value(line.play), line.parser.value(line.screenshots)));
+    });
+  }
+  return QApplication::exec();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CommandLine line;
+  QStringList arguments;
+  for (int i = 0; i < argc; ++i) arguments << QString::fromLocal8Bit(argv[i]);
+  if (!hasDisplay()) {
+    // Help and version must work on a machine without a display, where QApplication would end us.
+    const bool parsed = line.parser.parse(arguments);
+    if (parsed && line.parser.isSet(line.version)) {
+      return say(stdout, "pneuma-desktop " + versionText() + "\n", ExitCode::Done);
+    }
+    return say(
+        stderr,
+        "pneuma-desktop: there is no display here; start it on a desktop, or run the command "
+        "line program pneuma.\n",
+        ExitCode::NoRendering);
+  }
+  const auto application = makeApplication(argc, argv);
+  if (!line.parser.parse(QCoreApplication::arguments())) {
+    return say(stderr, "pneuma-desktop: " + line.parser.errorText().toStdString() + "\n",
+               ExitCode::Usage);
+  }
+  if (line.parser.isSet(line.help)) {
+    return say(stdout, line.parser.helpText().toStdString(), ExitCode::Done);
+  }
+  if (line.parser.isSet(line.version)) {
+    return say(stdout, "pneuma-desktop " + versionText() + "\n", ExitCode::Done);
+  }
+  return runWindow(line);
+}

@@ -1,0 +1,227 @@
+#include "scripting.h"
+
+#include <QAbstractButton>
+#include <QAbstractSlider>
+#include <QAction>
+#include <QApplication>
+#include <QComboBox>
+#include <QDir>
+#include <QDoubleSpinBox>
+#include <QElapsedTimer>
+#include <QEventLoop>
+#include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QKeyEvent>
+#include <QKeySequence>
+#include <QLineEdit>
+#include <QMouseEvent>
+#include <QScreen>
+#include <QTimer>
+#include <utility>
+#include <vector>
+
+#include "widgets/main_window.h"
+#include "widgets/scene_view.h"
+
+namespace pneuma {
+
+namespace {
+
+/// Long enough for the 3-D view to draw its fine picture.
+constexpr double SettleSeconds = 0.4;
+
+[[noreturn]] void fail(const QString& sentence) { throw ScriptError(sentence.toStdString()); }
+
+void spin(double seconds) {
+  QEventLoop loop;
+  QTimer::singleShot(static_cast<int>(1000.0 * seconds), &loop, &QEventLoop::quit);
+  loop.exec();
+}
+
+}  // namespace
+
+ScriptPlayer::ScriptPlayer(MainWindow& window, QString outFolder)
+    : window_(window), outFolder_(std::move(outFolder)) {}
+
+void ScriptPlayer::play(const QString& file) {
+  QFile script(file);
+  if (!script.open(QIODevice::ReadOnly)) fail(QStringLiteral("the script cannot be read"));
+  QJsonParseError error;
+  const QJsonDocument json = QJsonDocument::fromJson(script.readAll(), &error);
+  if (!json.isArray()) fail(QStringLiteral("the script is no JSON list: ") + error.errorString());
+  int number = 0;
+  for (const auto& entry : json.array()) {
+    ++number;
+    const QJsonObject step = entry.toObject();
+    try {
+      perform(step);
+    } catch (const ScriptError& problem) {
+      fail(QStringLiteral("step %1 %2: %3")
+               .arg(number)
+               .arg(QString::fromUtf8(QJsonDocument(step).toJson(QJsonDocument::Compact)),
+                    QString::fromUtf8(problem.what())));
+    }
+  }
+}
+
+void ScriptPlayer::perform(const QJsonObject& step) {
+  const QString what = step[QStringLiteral("do")].toString();
+  const QString name = step[QStringLiteral("name")].toString();
+  const double seconds = step[QStringLiteral("seconds")].toDouble(60.0);
+  if (what == QLatin1String("open")) {
+    std::vector<std::filesystem::path> paths;
+    for (const auto& path : step[QStringLiteral("paths")].toArray()) {
+      paths.emplace_back(expanded(path.toString()).toStdString());
+    }
+    window_.open(std::move(paths));
+  } else if (what == QLatin1String("click")) {
+    auto* button = qobject_cast<QAbstractButton*>(widget(name));
+    if (button == nullptr || !button->isEnabled())
+      fail(QStringLiteral("no button that is enabled"));
+    button->click();
+  } else if (what == QLatin1String("trigger")) {
+    auto* action = qobject_cast<QAction*>(object(name));
+    if (action == nullptr || !action->isEnabled())
+      fail(QStringLiteral("no action that is enabled"));
+    action->trigger();
+  } else if (what == QLatin1String("set")) {
+    set(step);
+  } else if (what == QLatin1String("key")) {
+    press(step);
+  } else if (what == QLatin1String("wait")) {
+    wait(seconds);
+  } else if (what == QLatin1String("pause")) {
+    spin(seconds);
+  } else if (what == QLatin1String("click-branch")) {
+    clickBranch(step[QStringLiteral("index")].toInt());
+  } else if (what == QLatin1String("resize")) {
+    window_.resize(step[QStringLiteral("width")].toInt(), step[QStringLiteral("height")].toInt());
+  } else if (what == QLatin1String("screenshot")) {
+    screenshot(step[QStringLiteral("file")].toString());
+  } else if (what == QLatin1String("expect")) {
+    expect(step);
+  } else {
+    fail(QStringLiteral("there is no such step"));
+  }
+}
+
+QString ScriptPlayer::expanded(QString text) const {
+  text.replace(QStringLiteral("${OUT}"), outFolder_);
+  for (int from = text.indexOf(QStringLiteral("${")); from >= 0;
+       from = text.indexOf(QStringLiteral("${"), from)) {
+    const int to = text.indexOf(QLatin1Char('}'), from);
+    if (to < 0) break;
+    const QByteArray variable = text.mid(from + 2, to - from - 2).toUtf8();
+    text.replace(from, to - from + 1, qEnvironmentVariable(variable.constData()));
+  }
+  return text;
+}
+
+QObject* ScriptPlayer::object(const QString& name) const {
+  if (auto* found = window_.findChild<QObject*>(name)) return found;
+  fail(QStringLiteral("nothing is called '%1'").arg(name));
+}
+
+QWidget* ScriptPlayer::widget(const QString& name) const {
+  if (auto* found = qobject_cast<QWidget*>(object(name))) return found;
+  fail(QStringLiteral("'%1' is no widget").arg(name));
+}
+
+void ScriptPlayer::set(const QJsonObject& step) const {
+  QWidget* target = widget(step[QStringLiteral("name")].toString());
+  const QJsonValue value = step[QStringLiteral("value")];
+  if (auto* slider = qobject_cast<QAbstractSlider*>(target)) {
+    slider->setValue(value.toInt());
+  } else if (auto* number = qobject_cast<QDoubleSpinBox*>(target)) {
+    number->setValue(value.toDouble());
+  } else if (auto* choice = qobject_cast<QComboBox*>(target)) {
+    if (choice->findText(value.toString()) < 0) fail(QStringLiteral("there is no such choice"));
+    choice->setCurrentText(value.toString());
+  } else if (auto* line = qobject_cast<QLineEdit*>(target)) {
+    line->setText(expanded(value.toString()));
+  } else {
+    fail(QStringLiteral("this widget has no value that can be set"));
+  }
+}
+
+void ScriptPlayer::press(const QJsonObject& step) const {
+  QWidget* target = widget(step[QStringLiteral("name")].toString());
+  target->setFocus();
+  const QKeySequence keys(step[QStringLiteral("keys")].toString());
+  for (int i = 0; i < static_cast<int>(keys.count()); ++i) {
+    const int code = static_cast<int>(keys[static_cast<uint>(i)]);
+    const auto modifiers = Qt::KeyboardModifiers(code & static_cast<int>(Qt::KeyboardModifierMask));
+    const int key = code & ~static_cast<int>(Qt::KeyboardModifierMask);
+    QKeyEvent down(QEvent::KeyPress, key, modifiers);
+    QKeyEvent up(QEvent::KeyRelease, key, modifiers);
+    QApplication::sendEvent(target, &down);
+    QApplication::sendEvent(target, &up);
+  }
+}
+
+void ScriptPlayer::wait(double seconds) const {
+  QElapsedTimer clock;
+  clock.start();
+  while (window_.document().jobs().busy()) {
+    if (clock.elapsed() > 1000.0 * seconds) fail(QStringLiteral("the job is still running"));
+    spin(0.01);
+  }
+}
+
+void ScriptPlayer::clickBranch(int index) const {
+  const auto tree = window_.document().tree();
+  if (!tree || index < 0 || static_cast<std::size_t>(index) >= tree->size()) {
+    fail(QStringLiteral("there is no such branch"));
+  }
+  const Branch& branch = (*tree)[static_cast<std::size_t>(index)];
+  SceneView& view = window_.view();
+  const QPoint at = view.positionOf(0.5 * (branch.proximal + branch.distal));
+  const QPoint global = view.canvas()->mapToGlobal(at);
+  QMouseEvent down(QEvent::MouseButtonPress, at, global, Qt::LeftButton, Qt::LeftButton,
+                   Qt::NoModifier);
+  QMouseEvent up(QEvent::MouseButtonRelease, at, global, Qt::LeftButton, Qt::NoButton,
+                 Qt::NoModifier);
+  QApplication::sendEvent(view.canvas(), &down);
+  QApplication::sendEvent(view.canvas(), &up);
+}
+
+void ScriptPlayer::screenshot(const QString& name) const {
+  spin(SettleSeconds);
+  QDir().mkpath(outFolder_);
+  const QRect frame = window_.frameGeometry();
+  const QPixmap shot =
+      window_.screen()->grabWindow(0, frame.x(), frame.y(), frame.width(), frame.height());
+  const QString path = QDir(outFolder_).filePath(name + QStringLiteral(".png"));
+  if (!shot.save(path)) fail(QStringLiteral("the screenshot cannot be written"));
+}
+
+QVariant ScriptPlayer::observed(const QJsonObject& step) const {
+  const QString state = step[QStringLiteral("state")].toString();
+  if (state.isEmpty()) {
+    const QString property = step[QStringLiteral("property")].toString(QStringLiteral("text"));
+    return object(step[QStringLiteral("name")].toString())->property(property.toUtf8().constData());
+  }
+  Document& document = window_.document();
+  const auto tree = document.tree();
+  if (state == QLatin1String("branches")) return static_cast<int>(tree ? tree->size() : 0);
+  if (state == QLatin1String("grown")) {
+    return static_cast<int>(tree ? document.snapshot().figures->grown : 0);
+  }
+  if (state == QLatin1String("busy")) return document.jobs().busy();
+  fail(QStringLiteral("there is no such state"));
+}
+
+void ScriptPlayer::expect(const QJsonObject& step) const {
+  const QVariant value = observed(step);
+  const auto wanted = [&](const char* key) { return step[QString::fromUtf8(key)]; };
+  const auto has = [&](const char* key) { return step.contains(QString::fromUtf8(key)); };
+  bool holds = true;
+  if (has("equals")) holds = holds && value.toString() == wanted("equals").toVariant().toString();
+  if (has("contains")) holds = holds && value.toString().contains(wanted("contains").toString());
+  if (has("above")) holds = holds && value.toDouble() > wanted("above").toDouble();
+  if (has("below")) holds = holds && value.toDouble() < wanted("below").toDouble();
+  if (!holds) fail(QStringLiteral("it is '%1'").arg(value.toString()));
+}
+
+}  // namespace pneuma

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <QJsonObject>
+#include <QString>
+#include <stdexcept>
+
+class QObject;
+class QWidget;
+
+namespace pneuma {
+
+class MainWindow;
+
+/// A step of a script that cannot be done, or an expectation that does not hold.
+class ScriptError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Plays a list of steps on the window as a person would: `pneuma-desktop --play FILE`. For tests
+/// and for the pictures of the manual. Steps are JSON objects, each with "do":
+///   open {paths}, click {name}, trigger {name}, set {name, value}, key {name, keys}, wait
+///   {seconds}, pause {seconds}, click-branch {index}, resize {width, height}, screenshot {file},
+///   expect {name, property | state, equals | contains | above | below}
+/// `name` is a widget's or action's object name. ${NAME} in a text is an environment variable,
+/// ${OUT} the folder of the screenshots.
+class ScriptPlayer {
+ public:
+  ScriptPlayer(MainWindow& window, QString outFolder);
+
+  /// @throws ScriptError naming the step and what is wrong
+  void play(const QString& file);
+
+ private:
+  void perform(const QJsonObject& step);
+  void expect(const QJsonObject& step) const;
+  QVariant observed(const QJsonObject& step) const;
+  void set(const QJsonObject& step) const;
+  void clickBranch(int index) const;
+  void screenshot(const QString& name) const;
+  void wait(double seconds) const;
+  void press(const QJsonObject& step) const;
+  QString expanded(QString text) const;
+  QObject* object(const QString& name) const;
+  QWidget* widget(const QString& name) const;
+
+  MainWindow& window_;
+  QString outFolder_;
+};
+
+}  // namespace pneuma

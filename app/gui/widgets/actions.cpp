@@ -1,0 +1,77 @@
+#include "widgets/actions.h"
+
+#include <QKeySequence>
+#include <QMenu>
+#include <QMenuBar>
+
+#include "widgets/icons.h"
+
+namespace pneuma {
+
+namespace {
+
+QAction* action(QWidget* window, const char* name, const QString& text,
+                const QList<QKeySequence>& keys = {}, const char* icon = nullptr) {
+  auto* made = new QAction(text, window);
+  made->setObjectName(QString::fromUtf8(name));
+  made->setShortcuts(keys);
+  if (icon != nullptr) made->setIcon(themedIcon(icon));
+  made->setIconVisibleInMenu(false);
+  window->addAction(made);
+  return made;
+}
+
+QKeySequence keys(const char* text) { return QKeySequence(QString::fromUtf8(text)); }
+
+}  // namespace
+
+Actions makeActions(QWidget* window) {
+  Actions a;
+  const auto tr = [](const char* text) { return QObject::tr(text); };
+  a.open = action(window, "actionOpen", tr("&Open files..."), {keys("Ctrl+O")}, "file");
+  a.openFolder =
+      action(window, "actionOpenFolder", tr("Open &folder..."), {keys("Ctrl+Shift+O")}, "folder");
+  a.sample = action(window, "actionSample", tr("&Try the sample chest"), {}, "lungs");
+  a.saveTree = action(window, "actionSaveTree", tr("&Save tree..."), {keys("Ctrl+S")}, "save");
+  a.savePicture =
+      action(window, "actionSavePicture", tr("Save &picture..."), {keys("F12")}, "camera");
+  a.quit = action(window, "actionQuit", tr("&Quit"), {keys("Ctrl+Q")});
+  a.undo = action(window, "actionUndo", tr("&Undo"), {keys("Ctrl+Z")});
+  a.redo = action(window, "actionRedo", tr("&Redo"), {keys("Ctrl+Shift+Z"), keys("Ctrl+Y")});
+  a.grow = action(window, "actionGrow", tr("&Grow airways"), {keys("Ctrl+Return")});
+  a.cancel = action(window, "actionCancel", tr("&Cancel the running job"), {keys("Esc")}, "close");
+  static const std::array<const char*, 6> names = {
+      QT_TR_NOOP("&Anterior"), QT_TR_NOOP("&Posterior"), QT_TR_NOOP("&Left"),
+      QT_TR_NOOP("&Right"),    QT_TR_NOOP("&Superior"),  QT_TR_NOOP("&Inferior")};
+  for (std::size_t i = 0; i < ViewLetters.size(); ++i) {
+    const std::string objectName = std::string("actionView") + ViewLetters[i];
+    a.views[i] = action(window, objectName.c_str(), tr(names[i]));
+    a.views[i]->setIconText(QString(QLatin1Char(ViewLetters[i])));
+  }
+  a.resetView = action(window, "actionResetView", tr("&Frame everything"), {}, "frame");
+  a.theme = action(window, "actionTheme", tr("&Light theme"), {});
+  a.theme->setCheckable(true);
+  a.about = action(window, "actionAbout", tr("&About Pneuma"));
+  return a;
+}
+
+void fillMenus(QMenuBar& bar, const Actions& a) {
+  QMenu* file = bar.addMenu(QObject::tr("&File"));
+  file->addActions({a.open, a.openFolder, a.sample});
+  file->addSeparator();
+  file->addActions({a.saveTree, a.savePicture});
+  file->addSeparator();
+  file->addAction(a.quit);
+  QMenu* edit = bar.addMenu(QObject::tr("&Edit"));
+  edit->addActions({a.undo, a.redo});
+  edit->addSeparator();
+  edit->addActions({a.grow, a.cancel});
+  QMenu* view = bar.addMenu(QObject::tr("&View"));
+  for (QAction* named : a.views) view->addAction(named);
+  view->addSeparator();
+  view->addActions({a.resetView, a.theme});
+  QMenu* help = bar.addMenu(QObject::tr("&Help"));
+  help->addAction(a.about);
+}
+
+}  // namespace pneuma

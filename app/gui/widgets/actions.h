@@ -1,0 +1,36 @@
+#pragma once
+
+#include <QAction>
+#include <array>
+
+class QMenuBar;
+
+namespace pneuma {
+
+/// The six named views, by letter.
+inline constexpr std::array<char, 6> ViewLetters = {'A', 'P', 'L', 'R', 'S', 'I'};
+
+/// Everything the window can be told to do; menus, buttons and keys share these.
+struct Actions {
+  QAction* open = nullptr;
+  QAction* openFolder = nullptr;
+  QAction* sample = nullptr;
+  QAction* saveTree = nullptr;
+  QAction* savePicture = nullptr;
+  QAction* quit = nullptr;
+  QAction* undo = nullptr;
+  QAction* redo = nullptr;
+  QAction* grow = nullptr;
+  QAction* cancel = nullptr;
+  std::array<QAction*, 6> views{};
+  QAction* resetView = nullptr;
+  QAction* theme = nullptr;
+  QAction* about = nullptr;
+};
+
+/// @param window owns the actions and answers their keys
+Actions makeActions(QWidget* window);
+
+void fillMenus(QMenuBar& bar, const Actions& actions);
+
+}  // namespace pneuma

@@ -1,0 +1,68 @@
+#include "widgets/dialogs.h"
+
+#include <QFileDialog>
+#include <QMessageBox>
+#include <utility>
+
+#include "document/text.h"
+#include "pipeline/report.h"
+#include "widgets/icons.h"
+
+namespace pneuma {
+
+namespace {
+
+QFileDialog* fileDialog(QWidget* parent, const QString& title, const char* name) {
+  auto* dialog = new QFileDialog(parent, title);
+  dialog->setObjectName(QString::fromUtf8(name));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  return dialog;
+}
+
+}  // namespace
+
+void askForFiles(QWidget* parent, std::function<void(const QStringList&)> chosen) {
+  auto* dialog = fileDialog(parent, QObject::tr("Open lobe surfaces and airways"), "openDialog");
+  dialog->setFileMode(QFileDialog::ExistingFiles);
+  dialog->setNameFilters({QObject::tr("Surfaces and trees (*.stl *.obj *.ply *.vtp *.vtu *.swc "
+                                      "*.csv *.json)"),
+                          QObject::tr("All files (*)")});
+  QObject::connect(dialog, &QFileDialog::filesSelected, parent, std::move(chosen));
+  dialog->open();
+}
+
+void askForFolder(QWidget* parent, std::function<void(const QString&)> chosen) {
+  auto* dialog = fileDialog(parent, QObject::tr("Open a folder of lobe surfaces"), "folderDialog");
+  dialog->setFileMode(QFileDialog::Directory);
+  dialog->setOption(QFileDialog::ShowDirsOnly);
+  QObject::connect(dialog, &QFileDialog::fileSelected, parent, std::move(chosen));
+  dialog->open();
+}
+
+void askWhereToSave(QWidget* parent, const QString& title, const QString& filter,
+                    const QString& suffix, std::function<void(const QString&)> chosen) {
+  auto* dialog = fileDialog(parent, title, "saveDialog");
+  dialog->setAcceptMode(QFileDialog::AcceptSave);
+  dialog->setFileMode(QFileDialog::AnyFile);
+  dialog->setNameFilter(filter);
+  dialog->setDefaultSuffix(suffix);
+  QObject::connect(dialog, &QFileDialog::fileSelected, parent, std::move(chosen));
+  dialog->open();
+}
+
+void showAbout(QWidget* parent) {
+  auto* box = new QMessageBox(parent);
+  box->setObjectName(QStringLiteral("about"));
+  box->setAttribute(Qt::WA_DeleteOnClose);
+  box->setWindowTitle(QObject::tr("About Pneuma"));
+  box->setIconPixmap(iconPixmap("pneuma", Qt::white, 64, parent->devicePixelRatioF()));
+  box->setText(QStringLiteral("<b>Pneuma %1</b>").arg(qtText(versionText())));
+  box->setInformativeText(
+      QObject::tr("Grows a bronchial tree in the lobes of a lung, measures it and shows it.\n\n"
+                  "Research use only. Not a medical device.\n\n"
+                  "Free software under the GNU General Public License, version 3 or later."));
+  box->setStandardButtons(QMessageBox::Close);
+  box->open();
+}
+
+}  // namespace pneuma

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <QString>
+#include <QStringList>
+#include <functional>
+
+class QWidget;
+
+/// The window's dialogs. None of them stops the rest of the window's work.
+namespace pneuma {
+
+void askForFiles(QWidget* parent, std::function<void(const QStringList&)> chosen);
+
+void askForFolder(QWidget* parent, std::function<void(const QString&)> chosen);
+
+/// @param suffix without the dot, put behind a name that has none
+void askWhereToSave(QWidget* parent, const QString& title, const QString& filter,
+                    const QString& suffix, std::function<void(const QString&)> chosen);
+
+void showAbout(QWidget* parent);
+
+}  // namespace pneuma

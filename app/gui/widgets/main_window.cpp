@@ -1,0 +1,348 @@
+#include "widgets/main_window.h"
+
+#include <QApplication>
+#include <QBuffer>
+#include <QDragEnterEvent>
+#include <QLabel>
+#include <QMimeData>
+#include <QStackedWidget>
+#include <QToolButton>
+#include <utility>
+
+#include "document/property_sheet.h"
+#include "document/text.h"
+#include "io/atomic_file.h"
+#include "widgets/dialogs.h"
+#include "widgets/error_card.h"
+#include "widgets/export_panel.h"
+#include "widgets/generation_chart.h"
+#include "widgets/heading.h"
+#include "widgets/icons.h"
+#include "widgets/open_panel.h"
+#include "widgets/scene_view.h"
+#include "widgets/sheet_card.h"
+#include "widgets/status_strip.h"
+#include "widgets/step_button.h"
+#include "widgets/structure_view.h"
+#include "widgets/view_bar.h"
+
+namespace pneuma {
+
+namespace {
+
+std::filesystem::path pathOf(const QString& name) { return name.toStdString(); }
+
+/// From a little to the patient's right and above: the tree is seen in depth.
+constexpr ViewDirection FirstView{-10.0, 6.0};
+
+}  // namespace
+
+void MainWindow::open(std::vector<std::filesystem::path> paths) {
+  if (paths.empty()) return;
+  if (document_.jobs().busy()) {
+    status_->say(tr("A job is running: cancel it or wait before opening something else."));
+    return;
+  }
+  errorCard_->hide();
+  document_.open(std::move(paths));
+}
+
+void MainWindow::setTheme(ThemeName name) {
+  applyTheme(*qApp, name);
+  actions_.theme->setChecked(name == ThemeName::Light);
+  themeToggle_->setIcon(themedIcon(name == ThemeName::Dark ? "sun" : "moon"));
+  SceneOptions options = view_->options();
+  options.background = name == ThemeName::Dark ? Background::Dark : Background::Light;
+  view_->setOptions(options);
+}
+
+void MainWindow::connectActions() {
+  connect(actions_.open, &QAction::triggered, this, [this] {
+    askForFiles(this, [this](const QStringList& files) {
+      std::vector<std::filesystem::path> paths;
+      for (const QString& file : files) paths.push_back(pathOf(file));
+      open(std::move(paths));
+    });
+  });
+  connect(actions_.openFolder, &QAction::triggered, this, [this] {
+    askForFolder(this, [this](const QString& folder) { open({pathOf(folder)}); });
+  });
+  connect(actions_.sample, &QAction::triggered, this, [this] {
+    errorCard_->hide();
+    document_.openSample();
+  });
+  connect(actions_.grow, &QAction::triggered, this, [this] {
+    errorCard_->hide();
+    goTo(AirwaysStep);
+    document_.grow();
+  });
+  connect(actions_.undo, &QAction::triggered, &document_, &Document::undo);
+  connect(actions_.redo, &QAction::triggered, &document_, &Document::redo);
+  connect(actions_.cancel, &QAction::triggered, this, &MainWindow::cancel);
+  connect(actions_.saveTree, &QAction::triggered, this, &MainWindow::saveTree);
+  connect(actions_.savePicture, &QAction::triggered, this, &MainWindow::savePicture);
+  connect(actions_.quit, &QAction::triggered, this, &QWidget::close);
+  connect(actions_.about, &QAction::triggered, this, [this] { showAbout(this); });
+  connect(actions_.theme, &QAction::triggered, this, [this](bool light) {
+    const ThemeName name = light ? ThemeName::Light : ThemeName::Dark;
+    setTheme(name);
+    emit themeChosen(name);
+  });
+  for (std::size_t i = 0; i < ViewLetters.size(); ++i) {
+    connect(actions_.views[i], &QAction::triggered, this,
+            [this, i] { view_->look(viewDirection(std::string_view(&ViewLetters[i], 1))); });
+  }
+  connect(actions_.resetView, &QAction::triggered, view_, &SceneView::resetView);
+}
+
+void MainWindow::connectDocument() {
+  connect(&document_, &Document::changed, this, &MainWindow::showSnapshot);
+  connect(&document_, &Document::growthOptionsChanged, this, &MainWindow::updateSteps);
+  connect(&document_, &Document::said, status_, &StatusStrip::say);
+  connect(&document_, &Document::failed, errorCard_, &ErrorCard::show);
+  connect(&document_.jobs(), &JobQueue::progressed, this, &MainWindow::updateSteps);
+}
+
+void MainWindow::connectView() {
+  connect(view_, &SceneView::clicked, this, &MainWindow::selectBranch);
+  connect(view_, &SceneView::hovered, this, &MainWindow::probe);
+  connect(view_, &SceneView::walked, this, &MainWindow::walk);
+  connect(viewBar_, &ViewBar::changed, this,
+          [this] { view_->setOptions(viewBar_->applied(view_->options())); });
+  connect(&structures_, &StructureModel::visibilityChanged, this, &MainWindow::applyVisibility);
+  connect(structureView_->selectionModel(), &QItemSelectionModel::currentChanged, this,
+          [this](const QModelIndex& now) {
+            if (!now.isValid()) return;
+            branch_.reset();
+            view_->select(std::nullopt);
+            updateProperties();
+          });
+}
+
+void MainWindow::goTo(Step step) {
+  steps_[step]->setChecked(true);
+  panels_->setCurrentIndex(step);
+}
+
+void MainWindow::showSnapshot() {
+  const Snapshot& snapshot = document_.snapshot();
+  const auto tree = document_.tree();
+  const bool newThings = snapshot.model.surfaces != shownSurfaces_ || tree != shownTree_;
+  if (newThings) {
+    branch_.reset();
+    structures_.show(snapshot);
+    showScene();
+    chart_->show(snapshot.figures ? snapshot.figures->branchesOfGeneration
+                                  : std::vector<std::size_t>());
+    if (const auto airways = structures_.rowOfAirways()) {
+      structureView_->setCurrentIndex(structures_.index(*airways));
+    } else if (structures_.rowCount() > 0) {
+      structureView_->setCurrentIndex(structures_.index(0));
+    }
+  }
+  caseName_->setText(snapshot.name.isEmpty() ? tr("Nothing open") : snapshot.name);
+  setWindowTitle(snapshot.name.isEmpty() ? QStringLiteral("Pneuma")
+                                         : snapshot.name + QStringLiteral(" - Pneuma"));
+  openPanel_->show(snapshot);
+  status_->setWarnings(warningsOf(snapshot));
+  updateProperties();
+  updateSteps();
+  updateActions();
+}
+
+void MainWindow::showScene() {
+  const Snapshot& snapshot = document_.snapshot();
+  const auto tree = document_.tree();
+  const bool wasEmpty = centre_->currentIndex() == 0;
+  const bool otherLungs = snapshot.model.surfaces != shownSurfaces_;
+  if (otherLungs) {
+    std::vector<SceneSurface> surfaces;
+    if (snapshot.model.surfaces) {
+      for (const LobeSurface& surface : *snapshot.model.surfaces) {
+        surfaces.push_back({surface.lobe, surface.mesh});
+      }
+    }
+    view_->setSurfaces(std::move(surfaces));
+  }
+  viewBar_->setDeepest(
+      snapshot.figures ? static_cast<int>(snapshot.figures->branchesOfGeneration.size()) - 1 : 0);
+  view_->setOptions(viewBar_->applied(view_->options()));
+  shownSurfaces_ = snapshot.model.surfaces;
+  shownTree_ = tree;
+  applyVisibility();
+  const bool empty = !shownSurfaces_ && !shownTree_;
+  centre_->setCurrentIndex(empty ? 0 : 1);
+  if (empty) return;
+  if (wasEmpty) goTo(AirwaysStep);
+  if (wasEmpty || otherLungs || !shownSurfaces_) view_->look(FirstView);
+}
+
+void MainWindow::applyVisibility() {
+  bool airways = true;
+  for (int row = 0; row < structures_.rowCount(); ++row) {
+    const auto& structure = structures_.structure(row);
+    if (structure.kind == StructureModel::Kind::Surface) {
+      view_->setSurfaceVisible(structure.surface, structure.visible);
+    } else if (structure.kind == StructureModel::Kind::Airways) {
+      airways = structure.visible;
+    }
+  }
+  view_->setTree(airways ? shownTree_ : nullptr);
+  if (!airways) branch_.reset();
+  view_->select(branch_);
+}
+
+void MainWindow::updateActions() {
+  const bool busy = document_.jobs().busy();
+  const bool lobes = document_.canGrow();
+  const bool tree = document_.tree() != nullptr;
+  const bool shown = tree || document_.model().surfaces;
+  const QString wait = tr("A job is running");
+  for (QAction* opening : {actions_.open, actions_.openFolder, actions_.sample}) {
+    opening->setEnabled(!busy);
+  }
+  actions_.grow->setEnabled(lobes && !busy);
+  actions_.grow->setToolTip(busy    ? wait
+                            : lobes ? tr("Grow airways from the central ones into the lobes")
+                                    : tr("Open lobe surfaces first"));
+  actions_.saveTree->setEnabled(tree && !busy);
+  actions_.saveTree->setToolTip(busy   ? wait
+                                : tree ? tr("Save the tree that is shown")
+                                       : tr("There is no tree to save yet"));
+  actions_.savePicture->setEnabled(shown);
+  actions_.cancel->setEnabled(busy || branch_);
+  actions_.undo->setEnabled(document_.canUndo());
+  actions_.undo->setText(tr("&Undo %1").arg(document_.undoName()).trimmed());
+  actions_.redo->setEnabled(document_.canRedo());
+  actions_.redo->setText(tr("&Redo %1").arg(document_.redoName()).trimmed());
+}
+
+void MainWindow::updateSteps() {
+  const Snapshot& snapshot = document_.snapshot();
+  const LungModel& model = snapshot.model;
+  const bool busy = document_.jobs().busy();
+  const auto tree = document_.tree();
+
+  if (!model.surfaces && !tree) {
+    steps_[OpenStep]->setState(busy ? StepState::Running : StepState::ToDo,
+                               tr("lobes and airways"));
+  } else {
+    bool healthy = model.warnings.empty();
+    std::size_t count = 0;
+    if (model.surfaces) {
+      count = model.surfaces->size();
+      for (const auto& surface : *model.surfaces) healthy = healthy && surface.health.healthy();
+    }
+    steps_[OpenStep]->setState(healthy ? StepState::Done : StepState::CheckMe,
+                               count > 0 ? counted(count, "surface", "surfaces") : tr("a tree"));
+  }
+
+  StepButton& airways = *steps_[AirwaysStep];
+  if (busy && model.surfaces) {
+    airways.setState(StepState::Running, {});
+  } else if (!model.growth) {
+    airways.setState(StepState::ToDo, {});
+  } else if (document_.growthOutOfDate()) {
+    airways.setState(StepState::OutOfDate, {});
+  } else {
+    const Outside& outside = model.growth->outside;
+    const bool fine = outside.ends + outside.segments == 0 && model.growth->result.warnings.empty();
+    airways.setState(fine ? StepState::Done : StepState::CheckMe,
+                     counted(tree->size(), "branch", "branches"));
+  }
+  steps_[ExportStep]->setState(document_.treeSaved() ? StepState::Done : StepState::ToDo,
+                               document_.treeSaved() ? tr("tree saved") : QString());
+}
+
+void MainWindow::updateProperties() {
+  const Snapshot& snapshot = document_.snapshot();
+  PropertySheet sheet;
+  if (branch_) {
+    sheet = branchSheet(snapshot, *branch_);
+  } else if (const QModelIndex current = structureView_->currentIndex(); current.isValid()) {
+    const auto& structure = structures_.structure(current.row());
+    switch (structure.kind) {
+      case StructureModel::Kind::Surface:
+        sheet = surfaceSheet(snapshot, structure.surface);
+        break;
+      case StructureModel::Kind::Airways:
+        sheet = treeSheet(snapshot);
+        break;
+      case StructureModel::Kind::Lungs:
+      case StructureModel::Kind::Side:
+        sheet = lungsSheet(snapshot, structure.side);
+        break;
+    }
+  }
+  const bool any = !sheet.title.isEmpty();
+  setHeading(*propertiesHeading_, sheet.title);
+  propertiesHeading_->setVisible(any);
+  properties_->setVisible(any);
+  properties_->show(sheet);
+}
+
+void MainWindow::selectBranch(std::optional<std::size_t> branch) {
+  branch_ = branch;
+  view_->select(branch_);
+  updateProperties();
+  updateActions();
+}
+
+void MainWindow::walk(Neighbour where) {
+  const auto tree = document_.tree();
+  if (!tree || tree->empty()) return;
+  selectBranch(branch_ ? neighbour(*tree, *branch_, where) : 0);
+}
+
+void MainWindow::probe(std::optional<std::size_t> branch) {
+  if (!branch || !document_.snapshot().figures) {
+    status_->probe({});
+    return;
+  }
+  const Branch& b = (*document_.tree())[*branch];
+  status_->probe(tr("Branch %1   %2   generation %3   diameter %4")
+                     .arg(grouped(*branch), capitalised(longName(b.lobe)))
+                     .arg(document_.snapshot().figures->generation[*branch])
+                     .arg(withUnit(2.0 * b.radiusMm, 2, "mm")));
+}
+
+void MainWindow::cancel() {
+  if (document_.jobs().busy()) {
+    document_.jobs().cancel();
+    status_->say(tr("Stopping..."));
+  } else {
+    selectBranch(std::nullopt);
+  }
+}
+
+void MainWindow::saveTree() {
+  const QString format = exportPanel_->format();
+  goTo(ExportStep);
+  askWhereToSave(this, tr("Save the tree"),
+                 QStringLiteral("%1 (*.%2)").arg(format.toUpper(), format), format,
+                 [this](const QString& name) { document_.saveTree(pathOf(name)); });
+}
+
+void MainWindow::savePicture() {
+  askWhereToSave(this, tr("Save the picture"), tr("PNG picture (*.png)"), QStringLiteral("png"),
+                 [this](const QString& name) {
+                   QBuffer png;
+                   png.open(QIODevice::WriteOnly);
+                   view_->picture().save(&png, "PNG");
+                   document_.saveFile(pathOf(name), png.data().toStdString());
+                 });
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+  if (event->mimeData()->hasUrls()) event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+  std::vector<std::filesystem::path> paths;
+  for (const QUrl& url : event->mimeData()->urls()) {
+    if (url.isLocalFile()) paths.push_back(pathOf(url.toLocalFile()));
+  }
+  open(std::move(paths));
+}
+
+}  // namespace pneuma

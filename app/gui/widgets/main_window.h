@@ -1,0 +1,107 @@
+#pragma once
+
+#include <QMainWindow>
+#include <array>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "document/document.h"
+#include "document/structure_model.h"
+#include "widgets/actions.h"
+#include "widgets/theme.h"
+
+class QLabel;
+class QStackedWidget;
+class QToolButton;
+
+namespace pneuma {
+
+class ErrorCard;
+class ExportPanel;
+class GenerationChart;
+class OpenPanel;
+class SceneView;
+class SheetCard;
+class StatusStrip;
+class StepButton;
+class StructureView;
+class ViewBar;
+
+/// The shell: header, steps and their panels, the 3-D view, structures and properties, status. It
+/// shows the Document and hands it what the user wants; it keeps no data but the selection.
+class MainWindow : public QMainWindow {
+  Q_OBJECT
+
+ public:
+  MainWindow();
+  ~MainWindow() override;
+
+  Document& document() { return document_; }
+
+  SceneView& view() { return *view_; }
+
+  void open(std::vector<std::filesystem::path> paths);
+
+  void setTheme(ThemeName name);
+
+ signals:
+  void themeChosen(pneuma::ThemeName name);
+
+ protected:
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
+
+ private:
+  enum Step { OpenStep, AirwaysStep, ExportStep, StepCount };
+
+  QWidget* makeHeader();
+  QWidget* makeRail();
+  QWidget* makeCentre();
+  QWidget* makeRightColumn();
+  void connectActions();
+  void connectDocument();
+  void connectView();
+
+  void goTo(Step step);
+  void showSnapshot();
+  void showScene();
+  void updateActions();
+  void updateSteps();
+  void updateProperties();
+  void applyVisibility();
+  void selectBranch(std::optional<std::size_t> branch);
+  void walk(Neighbour where);
+  void probe(std::optional<std::size_t> branch);
+  void cancel();
+  void saveTree();
+  void savePicture();
+
+  Document document_;
+  StructureModel structures_;
+  Actions actions_;
+  std::optional<std::size_t> branch_;  ///< the selected one
+
+  // What the scene holds, so that only what is new is handed to it.
+  std::shared_ptr<const std::vector<LobeSurface>> shownSurfaces_;
+  std::shared_ptr<const AirwayTree> shownTree_;
+
+  QLabel* caseName_ = nullptr;
+  QToolButton* themeToggle_ = nullptr;
+  std::array<StepButton*, StepCount> steps_{};
+  QStackedWidget* panels_ = nullptr;
+  OpenPanel* openPanel_ = nullptr;
+  ExportPanel* exportPanel_ = nullptr;
+  QStackedWidget* centre_ = nullptr;
+  ViewBar* viewBar_ = nullptr;
+  SceneView* view_ = nullptr;
+  ErrorCard* errorCard_ = nullptr;
+  StructureView* structureView_ = nullptr;
+  QLabel* propertiesHeading_ = nullptr;
+  SheetCard* properties_ = nullptr;
+  GenerationChart* chart_ = nullptr;
+  StatusStrip* status_ = nullptr;
+};
+
+}  // namespace pneuma

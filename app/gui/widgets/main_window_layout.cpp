@@ -1,0 +1,187 @@
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMenuBar>
+#include <QScrollArea>
+#include <QShortcut>
+#include <QStackedWidget>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <QVariant>
+
+#include "widgets/error_card.h"
+#include "widgets/export_panel.h"
+#include "widgets/generation_chart.h"
+#include "widgets/growth_panel.h"
+#include "widgets/heading.h"
+#include "widgets/main_window.h"
+#include "widgets/open_panel.h"
+#include "widgets/scene_view.h"
+#include "widgets/sheet_card.h"
+#include "widgets/start_page.h"
+#include "widgets/status_strip.h"
+#include "widgets/step_button.h"
+#include "widgets/structure_view.h"
+#include "widgets/view_bar.h"
+
+// Where things are in the window; what they do is in main_window.cpp.
+namespace pneuma {
+
+namespace {
+
+constexpr int HeaderHeight = 46;
+constexpr int RailWidth = 248;
+constexpr int RightWidth = 316;
+
+QWidget* styled(const char* name) {
+  auto* widget = new QWidget;
+  widget->setObjectName(QString::fromUtf8(name));
+  widget->setAttribute(Qt::WA_StyledBackground);
+  return widget;
+}
+
+}  // namespace
+
+QWidget* MainWindow::makeHeader() {
+  QWidget* header = styled("header");
+  header->setFixedHeight(HeaderHeight);
+  auto* row = new QHBoxLayout(header);
+  row->setContentsMargins(16, 0, 12, 0);
+  auto* brand = new QLabel(QStringLiteral("Pneuma"));
+  brand->setObjectName(QStringLiteral("brand"));
+  auto* menus = new QMenuBar;
+  menus->setObjectName(QStringLiteral("menus"));
+  menus->setNativeMenuBar(false);
+  menus->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Maximum);
+  fillMenus(*menus, actions_);
+  caseName_ = new QLabel;
+  caseName_->setObjectName(QStringLiteral("caseName"));
+  caseName_->setTextFormat(Qt::PlainText);
+  themeToggle_ = new QToolButton;
+  themeToggle_->setObjectName(QStringLiteral("themeToggle"));
+  themeToggle_->setIconSize({18, 18});
+  themeToggle_->setProperty("role", "quiet");
+  themeToggle_->setToolTip(tr("Dark or light"));
+  themeToggle_->setAccessibleName(tr("Dark or light theme"));
+  connect(themeToggle_, &QToolButton::clicked, actions_.theme, &QAction::trigger);
+  row->addWidget(brand);
+  row->addSpacing(8);
+  row->addWidget(menus);
+  row->addStretch(1);
+  row->addWidget(caseName_, 0, Qt::AlignVCenter);
+  row->addStretch(1);
+  row->addWidget(themeToggle_);
+  return header;
+}
+
+QWidget* MainWindow::makeRail() {
+  QWidget* rail = styled("rail");
+  rail->setFixedWidth(RailWidth);
+  auto* column = new QVBoxLayout(rail);
+  column->setContentsMargins(12, 14, 12, 12);
+  column->setSpacing(4);
+  column->addWidget(heading(tr("Steps")));
+  static const std::array<const char*, StepCount> titles = {
+      QT_TR_NOOP("Open"), QT_TR_NOOP("Airways"), QT_TR_NOOP("Export")};
+  panels_ = new QStackedWidget;
+  for (int i = 0; i < StepCount; ++i) {
+    const auto index = static_cast<std::size_t>(i);
+    steps_[index] = new StepButton(i + 1, tr(titles[index]));
+    steps_[index]->setObjectName(QStringLiteral("step") + QString::fromUtf8(titles[index]));
+    column->addWidget(steps_[index]);
+    connect(steps_[index], &QAbstractButton::clicked, this,
+            [this, i] { goTo(static_cast<Step>(i)); });
+    auto* key = new QShortcut(QKeySequence(QString::number(i + 1)), this);
+    connect(key, &QShortcut::activated, this, [this, i] { goTo(static_cast<Step>(i)); });
+  }
+  column->addSpacing(14);
+  openPanel_ = new OpenPanel(actions_);
+  exportPanel_ = new ExportPanel(actions_);
+  panels_->addWidget(openPanel_);
+  panels_->addWidget(new GrowthPanel(document_, actions_));
+  panels_->addWidget(exportPanel_);
+  column->addWidget(panels_, 1);
+  return rail;
+}
+
+QWidget* MainWindow::makeCentre() {
+  auto* looking = new QWidget;
+  auto* column = new QVBoxLayout(looking);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  viewBar_ = new ViewBar(actions_);
+  view_ = new SceneView;
+  column->addWidget(viewBar_);
+  column->addWidget(view_, 1);
+  centre_ = new QStackedWidget;
+  centre_->setObjectName(QStringLiteral("centre"));
+  centre_->addWidget(new StartPage(actions_));
+  centre_->addWidget(looking);
+  errorCard_ = new ErrorCard(centre_);
+  return centre_;
+}
+
+QWidget* MainWindow::makeRightColumn() {
+  auto* content = new QWidget;
+  auto* column = new QVBoxLayout(content);
+  column->setContentsMargins(12, 14, 12, 10);
+  column->setSpacing(8);
+  structureView_ = new StructureView;
+  structureView_->setModel(&structures_);
+  propertiesHeading_ = heading({});
+  properties_ = new SheetCard;
+  properties_->setObjectName(QStringLiteral("properties"));
+  properties_->setAccessibleName(tr("Properties"));
+  chart_ = new GenerationChart;
+  chart_->setObjectName(QStringLiteral("generationChart"));
+  column->addWidget(heading(tr("Structures")));
+  column->addWidget(structureView_);
+  column->addSpacing(8);
+  column->addWidget(propertiesHeading_);
+  column->addWidget(properties_);
+  column->addSpacing(8);
+  column->addWidget(heading(tr("Branches per generation")));
+  column->addWidget(chart_, 1);
+
+  auto* scroll = new QScrollArea;
+  scroll->setObjectName(QStringLiteral("rightColumn"));
+  scroll->setAttribute(Qt::WA_StyledBackground);
+  scroll->setWidget(content);
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setFixedWidth(RightWidth);
+  return scroll;
+}
+
+MainWindow::MainWindow() : actions_(makeActions(this)) {
+  setObjectName(QStringLiteral("mainWindow"));
+  setWindowIcon(QIcon(QStringLiteral(":/icons/pneuma.svg")));
+  setAcceptDrops(true);
+  setMinimumSize(1100, 640);
+
+  auto* whole = new QWidget;
+  auto* rows = new QVBoxLayout(whole);
+  rows->setContentsMargins(0, 0, 0, 0);
+  rows->setSpacing(0);
+  auto* middle = new QHBoxLayout;
+  middle->setSpacing(0);
+  status_ = new StatusStrip(document_.jobs(), actions_);
+  rows->addWidget(makeHeader());
+  middle->addWidget(makeRail());
+  middle->addWidget(makeCentre(), 1);
+  middle->addWidget(makeRightColumn());
+  rows->addLayout(middle, 1);
+  rows->addWidget(status_);
+  setCentralWidget(whole);
+
+  connectActions();
+  connectDocument();
+  connectView();
+  goTo(OpenStep);
+  showSnapshot();
+  status_->say(tr("Ready"));
+}
+
+MainWindow::~MainWindow() = default;
+
+}  // namespace pneuma

@@ -1,0 +1,269 @@
+#include "widgets/scene_view.h"
+
+#include <QKeyEvent>
+#include <QLabel>
+#include <QMouseEvent>
+#include <QVBoxLayout>
+#include <QVariant>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include <QVTKOpenGLNativeWidget.h>
+#include <vtkCallbackCommand.h>
+#include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkInteractorStyleTrackballCamera.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkRenderWindowInteractor.h>
+#include <vtkRenderer.h>
+
+namespace pneuma {
+
+namespace {
+
+constexpr int SettleMs = 180;  ///< after the last movement the picture becomes fine again
+constexpr int HoverMs = 60;
+constexpr int ClickPixels = 4;  ///< a press that moves less is a click
+constexpr double TurnDeg = 15.0;
+
+/// The usual camera, without VTK's keys (e ends the program, w turns surfaces into wires ...).
+class CameraStyle : public vtkInteractorStyleTrackballCamera {
+ public:
+  static CameraStyle* New();
+  vtkTypeMacro(CameraStyle, vtkInteractorStyleTrackballCamera);
+
+  void OnChar() override {}
+};
+
+vtkStandardNewMacro(CameraStyle);
+
+}  // namespace
+
+QString viewText(ViewDirection direction) {
+  if (direction.elevationDeg > 80.0) return QStringLiteral("superior");
+  if (direction.elevationDeg < -80.0) return QStringLiteral("inferior");
+  static const std::array<const char*, 4> sides = {"anterior", "left", "posterior", "right"};
+  const double azimuth = std::fmod(std::fmod(direction.azimuthDeg, 360.0) + 360.0, 360.0);
+  const int quarter = static_cast<int>(std::lround(azimuth / 90.0));
+  QString text = QString::fromUtf8(sides[static_cast<std::size_t>(quarter % 4)]);
+  const int beside = static_cast<int>(std::lround(azimuth - 90.0 * quarter));
+  if (beside != 0) {
+    const int towards = (quarter + (beside > 0 ? 1 : 3)) % 4;
+    text += QStringLiteral(", %1° %2")
+                .arg(std::abs(beside))
+                .arg(QString::fromUtf8(sides[static_cast<std::size_t>(towards)]));
+  }
+  const int up = static_cast<int>(std::lround(direction.elevationDeg));
+  if (up != 0) {
+    text += QStringLiteral(", %1° %2").arg(std::abs(up)).arg(up > 0 ? "superior" : "inferior");
+  }
+  return text;
+}
+
+SceneView::SceneView(QWidget* parent) : QWidget(parent), scene_(std::make_unique<Scene>()) {
+  setObjectName(QStringLiteral("sceneView"));
+  canvas_ = new QVTKOpenGLNativeWidget(this);
+  canvas_->setObjectName(QStringLiteral("canvas"));
+  canvas_->setAccessibleName(tr("3-D view of lobes and airways"));
+  canvas_->setFocusPolicy(Qt::StrongFocus);
+  canvas_->setMouseTracking(true);
+  canvas_->installEventFilter(this);
+
+  vtkNew<vtkGenericOpenGLRenderWindow> window;
+  window->SetMultiSamples(0);
+  canvas_->setRenderWindow(window);
+  scene_->attachTo(window);
+  vtkNew<CameraStyle> style;
+  window->GetInteractor()->SetInteractorStyle(style);
+
+  // Scale bar, letters and the title follow the camera, whatever moved it.
+  vtkNew<vtkCallbackCommand> beforeFrame;
+  beforeFrame->SetClientData(this);
+  beforeFrame->SetCallback([](vtkObject*, unsigned long, void* self, void*) {
+    auto* view = static_cast<SceneView*>(self);
+    view->scene_->updateAnnotations();
+    const QString text = tr("3D   %1").arg(viewText(view->scene_->lookingFrom()));
+    if (view->title_->text() != text) {
+      view->title_->setText(text);
+      view->title_->adjustSize();
+    }
+  });
+  window->AddObserver(vtkCommand::StartEvent, beforeFrame);
+
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(canvas_);
+
+  title_ = new QLabel(this);
+  title_->setObjectName(QStringLiteral("viewTitle"));
+  title_->setProperty("role", "viewTitle");
+  title_->setAttribute(Qt::WA_TransparentForMouseEvents);
+  title_->move(12, 10);
+
+  renderTimer_.setSingleShot(true);
+  renderTimer_.setInterval(0);
+  connect(&renderTimer_, &QTimer::timeout, this, [this] { canvas_->renderWindow()->Render(); });
+  settleTimer_.setSingleShot(true);
+  settleTimer_.setInterval(SettleMs);
+  connect(&settleTimer_, &QTimer::timeout, this, [this] { dragging(false); });
+  hoverTimer_.setSingleShot(true);
+  hoverTimer_.setInterval(HoverMs);
+  connect(&hoverTimer_, &QTimer::timeout, this, [this] { emit hovered(branchAt(pointer_)); });
+}
+
+SceneView::~SceneView() {
+  // The scene frees what it holds on the graphics card: before the canvas takes the context away.
+  canvas_->removeEventFilter(this);
+  scene_.reset();
+}
+
+void SceneView::setSurfaces(std::vector<SceneSurface> surfaces) {
+  scene_->setSurfaces(std::move(surfaces));
+  renderSoon();
+}
+
+void SceneView::setSurfaceVisible(std::size_t index, bool visible) {
+  scene_->setSurfaceVisible(index, visible);
+  renderSoon();
+}
+
+void SceneView::setTree(std::shared_ptr<const AirwayTree> tree) {
+  scene_->setTree(std::move(tree));
+  renderSoon();
+}
+
+void SceneView::setOptions(const SceneOptions& options) {
+  scene_->setOptions(options);
+  renderSoon();
+}
+
+void SceneView::select(std::optional<std::size_t> branch) {
+  scene_->select(branch);
+  renderSoon();
+}
+
+void SceneView::look(ViewDirection direction) {
+  scene_->look(direction);
+  renderSoon();
+}
+
+void SceneView::resetView() { look(scene_->lookingFrom()); }
+
+void SceneView::turn(double azimuthDeg, double elevationDeg) {
+  ViewDirection direction = scene_->lookingFrom();
+  direction.azimuthDeg += azimuthDeg;
+  direction.elevationDeg = std::clamp(direction.elevationDeg + elevationDeg, -90.0, 90.0);
+  look(direction);
+}
+
+QImage SceneView::picture() {
+  canvas_->renderWindow()->Render();
+  return canvas_->grabFramebuffer();
+}
+
+QPoint SceneView::positionOf(const Vec3& point) const {
+  vtkRenderer* renderer = scene_->renderer();
+  renderer->SetWorldPoint(point.x(), point.y(), point.z(), 1.0);
+  renderer->WorldToDisplay();
+  const double* display = renderer->GetDisplayPoint();
+  const double ratio = canvas_->devicePixelRatioF();
+  return {static_cast<int>(display[0] / ratio),
+          canvas_->height() - 1 - static_cast<int>(display[1] / ratio)};
+}
+
+QWidget* SceneView::canvas() const { return canvas_; }
+
+std::optional<std::size_t> SceneView::branchAt(const QPoint& position) const {
+  const double ratio = canvas_->devicePixelRatioF();
+  return scene_->branchAt(position.x() * ratio, (canvas_->height() - 1 - position.y()) * ratio);
+}
+
+void SceneView::renderSoon() { renderTimer_.start(); }
+
+void SceneView::dragging(bool on) {
+  scene_->setInteractive(on);
+  if (!on) renderSoon();
+}
+
+bool SceneView::keyPressed(int key, Qt::KeyboardModifiers modifiers) {
+  const bool shift = modifiers.testFlag(Qt::ShiftModifier);
+  if (modifiers & (Qt::ControlModifier | Qt::AltModifier)) return false;
+  switch (key) {
+    case Qt::Key_A:
+    case Qt::Key_P:
+    case Qt::Key_L:
+    case Qt::Key_R:
+    case Qt::Key_S:
+    case Qt::Key_I: {
+      const char letter = static_cast<char>('A' + (key - Qt::Key_A));
+      look(viewDirection(std::string_view(&letter, 1)));
+      return true;
+    }
+    case Qt::Key_Home:
+      resetView();
+      return true;
+    case Qt::Key_Left:
+      shift ? turn(-TurnDeg, 0.0) : emit walked(Neighbour::PreviousSibling);
+      return true;
+    case Qt::Key_Right:
+      shift ? turn(TurnDeg, 0.0) : emit walked(Neighbour::NextSibling);
+      return true;
+    case Qt::Key_Up:
+      shift ? turn(0.0, TurnDeg) : emit walked(Neighbour::Parent);
+      return true;
+    case Qt::Key_Down:
+      shift ? turn(0.0, -TurnDeg) : emit walked(Neighbour::Child);
+      return true;
+    default:
+      return false;
+  }
+}
+
+bool SceneView::eventFilter(QObject* watched, QEvent* event) {
+  if (watched != canvas_) return QWidget::eventFilter(watched, event);
+  switch (event->type()) {
+    case QEvent::KeyPress: {
+      const auto* key = static_cast<QKeyEvent*>(event);
+      return keyPressed(key->key(), key->modifiers());
+    }
+    case QEvent::MouseButtonPress:
+      pressedAt_ = static_cast<QMouseEvent*>(event)->pos();
+      settleTimer_.stop();
+      break;
+    case QEvent::MouseMove: {
+      const auto* mouse = static_cast<QMouseEvent*>(event);
+      pointer_ = mouse->pos();
+      if (mouse->buttons() == Qt::NoButton) {
+        hoverTimer_.start();
+      } else if ((mouse->pos() - pressedAt_).manhattanLength() > ClickPixels) {
+        hoverTimer_.stop();
+        dragging(true);
+      }
+      break;
+    }
+    case QEvent::MouseButtonRelease: {
+      const auto* mouse = static_cast<QMouseEvent*>(event);
+      settleTimer_.start();
+      if (mouse->button() == Qt::LeftButton &&
+          (mouse->pos() - pressedAt_).manhattanLength() <= ClickPixels) {
+        emit clicked(branchAt(mouse->pos()));
+      }
+      break;
+    }
+    case QEvent::Wheel:
+      dragging(true);
+      settleTimer_.start();
+      break;
+    case QEvent::Leave:
+      hoverTimer_.stop();
+      emit hovered(std::nullopt);
+      break;
+    default:
+      break;
+  }
+  return QWidget::eventFilter(watched, event);
+}
+
+}  // namespace pneuma

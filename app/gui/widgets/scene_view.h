@@ -1,0 +1,78 @@
+#pragma once
+
+#include <QImage>
+#include <QTimer>
+#include <QWidget>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "document/tree_figures.h"
+#include "render/scene.h"
+
+class QLabel;
+class QVTKOpenGLNativeWidget;
+
+namespace pneuma {
+
+/// "anterior, 10° left": in words, where one looks from.
+QString viewText(ViewDirection direction);
+
+/// The 3-D view: a render::Scene in a widget. Left drag turns, middle or Shift+left drag moves,
+/// right drag or wheel zooms, a click takes the branch under the pointer. With the keyboard: A P L
+/// R S I look along an axis, Home frames everything, Shift+arrows turn, arrows walk along the tree.
+class SceneView : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit SceneView(QWidget* parent = nullptr);
+  ~SceneView() override;
+
+  void setSurfaces(std::vector<SceneSurface> surfaces);
+  void setSurfaceVisible(std::size_t index, bool visible);
+  void setTree(std::shared_ptr<const AirwayTree> tree);
+  void setOptions(const SceneOptions& options);
+
+  const SceneOptions& options() const { return scene_->options(); }
+
+  void select(std::optional<std::size_t> branch);
+  void look(ViewDirection direction);
+
+  /// Frames everything again, seen from where one stands.
+  void resetView();
+
+  /// What the view shows, in device pixels.
+  QImage picture();
+
+  /// The pixel of this widget at which a point (LPS, mm) is drawn.
+  QPoint positionOf(const Vec3& point) const;
+
+  /// The widget that takes the mouse, for scripts.
+  QWidget* canvas() const;
+
+ signals:
+  void clicked(std::optional<std::size_t> branch);
+  void hovered(std::optional<std::size_t> branch);
+  void walked(pneuma::Neighbour where);
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  void renderSoon();
+  void turn(double azimuthDeg, double elevationDeg);
+  bool keyPressed(int key, Qt::KeyboardModifiers modifiers);
+  void dragging(bool on);
+  std::optional<std::size_t> branchAt(const QPoint& position) const;
+
+  std::unique_ptr<Scene> scene_;
+  QVTKOpenGLNativeWidget* canvas_;
+  QLabel* title_;
+  QTimer renderTimer_;
+  QTimer settleTimer_;
+  QTimer hoverTimer_;
+  QPoint pressedAt_;
+  QPoint pointer_;
+};
+
+}  // namespace pneuma

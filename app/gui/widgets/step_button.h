@@ -1,0 +1,36 @@
+#pragma once
+
+#include <QAbstractButton>
+
+namespace pneuma {
+
+/// How far a step is; shown by icon and word, never by colour alone.
+enum class StepState { ToDo, Running, CheckMe, Done, OutOfDate };
+
+/// A row of the rail: state, name, one line on where the step stands, its number.
+class StepButton : public QAbstractButton {
+  Q_OBJECT
+
+ public:
+  StepButton(int number, const QString& title, QWidget* parent = nullptr);
+
+  /// @param note what there is to say besides the state, for example "29,953 branches"; may be
+  /// empty
+  void setState(StepState state, const QString& note);
+
+  QSize sizeHint() const override;
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  void describe();
+  void paintState(QPainter& painter, const QRectF& box) const;
+
+  int number_;
+  StepState state_ = StepState::ToDo;
+  QString note_;
+  QString line_;
+};
+
+}  // namespace pneuma

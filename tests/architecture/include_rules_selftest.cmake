@@ -1,0 +1,57 @@
+# Shows that include_rules.cmake notices what it is there for: every planted breach must be found,
+# and a tree that keeps the rules must pass.
+#   cmake -DRULES=<include_rules.cmake> -DSCRATCH=<folder> -P include_rules_selftest.cmake
+cmake_minimum_required(VERSION 3.25)
+
+set(failed 0)
+
+# expect(<pass or part of the message> <file> <content>): a tree with this one file besides a good one.
+function(expect outcome file content)
+  file(REMOVE_RECURSE "${SCRATCH}")
+  file(WRITE "${SCRATCH}/modules/core/good.cpp" "#include <vector>\n#include \"core/math.h\"\n")
+  file(WRITE "${SCRATCH}/${file}" "${content}")
+  execute_process(COMMAND "${CMAKE_COMMAND}" -DROOT=${SCRATCH} -P "${RULES}" RESULT_VARIABLE code
+                  OUTPUT_VARIABLE out ERROR_VARIABLE out)
+  if(outcome STREQUAL pass)
+    if(NOT code EQUAL 0)
+      message(NOTICE "${file} keeps the rules but was refused:\n${out}")
+      set(failed 1 PARENT_SCOPE)
+    endif()
+  elseif(code EQUAL 0 OR NOT out MATCHES "${file}: [^\n]*${outcome}")
+    message(NOTICE "'${outcome}' was not noticed in ${file} with:\n${content}${out}")
+    set(failed 1 PARENT_SCOPE)
+  endif()
+endfunction()
+
+expect(pass modules/geometry/repair.cpp "#include <CGAL/Surface_mesh.h>\n#include \"core/error.h\"\n")
+expect(pass modules/io/surface_file.cpp "#include <vtkSTLReader.h>\n")
+expect(pass modules/core/parallel.cpp "#include <tbb/parallel_for.h>\n#include <Eigen/Core>\n")
+expect(pass app/gui/main_window.h "#include <QMainWindow>\n")
+expect(pass app/cli/grow.cpp "#include \"pipeline/report.h\"\n#include \"render/picture.h\"\n")
+
+expect("CGAL belongs" modules/geometry/repair.h "#include <CGAL/Surface_mesh.h>\n")
+expect("CGAL belongs" modules/growth/growth.cpp "#include <CGAL/Surface_mesh.h>\n")
+expect("OpenCV belongs" modules/render/picture.h "#include <opencv2/core.hpp>\n")
+expect("OpenCV belongs" modules/io/surface_file.cpp "  #  include <opencv2/core.hpp>\n")
+expect("Qt belongs" modules/pipeline/report.h "#include <QString>\n")
+expect("Qt belongs" app/cli/grow.cpp "#include <QtCore/QString>\n")
+expect("VTK belongs" modules/io/surface_file.h "#include <vtkPolyData.h>\n")
+expect("VTK belongs" app/cli/render.cpp "#include <vtkRenderer.h>\n")
+expect("TBB belongs" modules/core/parallel.h "#include <tbb/parallel_for.h>\n")
+expect("know only" modules/anatomy/lobe.cpp "#include <nlohmann/json.hpp>\n")
+expect("core must not include anatomy" modules/core/domain.h "#include \"anatomy/lobe.h\"\n")
+expect("growth must not include io" modules/growth/growth.cpp "#include \"io/json.h\"\n")
+expect("render must not include pipeline" modules/render/scene.cpp "#include \"pipeline/report.h\"\n")
+expect("pipeline must not include cli" modules/pipeline/report.cpp "#include \"cli/command.h\"\n")
+expect("geometry must not link growth" modules/geometry/CMakeLists.txt "PUBLIC pneuma::growth)\n")
+expect("not in the table" modules/misc/misc.cpp "#include <vector>\n")
+string(REPEAT "\n" 451 long)
+expect("451 lines" app/cli/grow.cpp "${long}")
+string(CONCAT someone "/ho" "me/someone/lobes")
+expect("path of one machine" docs/testing.md "Put the data in ${someone}.\n")
+
+file(REMOVE_RECURSE "${SCRATCH}")
+if(failed)
+  message(FATAL_ERROR "include_rules.cmake lets breaches pass, or refuses what is right")
+endif()
+message(STATUS "every planted breach was noticed")

@@ -1,0 +1,65 @@
+#include "document/structure_model.h"
+
+#include <QSignalSpy>
+
+#include <gtest/gtest.h>
+
+#include "sample_snapshot.h"
+
+namespace pneuma {
+namespace {
+
+QStringList namesIn(const StructureModel& model) {
+  QStringList names;
+  for (int i = 0; i < model.rowCount(); ++i) names << model.structure(i).name;
+  return names;
+}
+
+void setEye(StructureModel& model, int row, bool open) {
+  model.setData(model.index(row), open ? Qt::Checked : Qt::Unchecked, Qt::CheckStateRole);
+}
+
+TEST(StructureModel, IsEmptyWithoutAModel) {
+  StructureModel model;
+  model.show(Snapshot{});
+  EXPECT_EQ(model.rowCount(), 0);
+  EXPECT_FALSE(model.rowOfAirways().has_value());
+}
+
+TEST(StructureModel, ListsRightBeforeLeftWithVolumes) {
+  StructureModel model;
+  model.show(testing::lobesAndTree());
+  EXPECT_EQ(namesIn(model), QStringList({"Lungs", "Right lung", "Upper lobe", "Left lung",
+                                         "Lower lobe", "Airways"}));
+  EXPECT_EQ(model.structure(0).value, "400 mL");
+  EXPECT_EQ(model.structure(1).value, "300 mL");
+  EXPECT_EQ(model.structure(2).surface, 1U);
+  EXPECT_EQ(model.structure(5).value, "3 branches");
+}
+
+TEST(StructureModel, AParentsEyeShutsAndOpensItsLobes) {
+  StructureModel model;
+  model.show(testing::lobesAndTree());
+  QSignalSpy changed(&model, &StructureModel::visibilityChanged);
+  setEye(model, 0, false);
+  EXPECT_FALSE(model.structure(2).visible);
+  EXPECT_FALSE(model.structure(4).visible);
+  EXPECT_TRUE(model.structure(5).visible);
+  setEye(model, 4, true);
+  EXPECT_TRUE(model.structure(3).visible);
+  EXPECT_TRUE(model.structure(0).visible);
+  EXPECT_FALSE(model.structure(2).visible);
+  EXPECT_EQ(changed.count(), 2);
+}
+
+TEST(StructureModel, EyesStayAsTheyWereInTheNextSnapshot) {
+  StructureModel model;
+  model.show(testing::lobesAndTree());
+  setEye(model, 2, false);
+  model.show(snapshotOf(testing::twoLobes(), {}));
+  EXPECT_FALSE(model.structure(*model.rowOfSurface(1)).visible);
+  EXPECT_TRUE(model.structure(*model.rowOfSurface(0)).visible);
+}
+
+}  // namespace
+}  // namespace pneuma

@@ -1,0 +1,50 @@
+#include "widgets/theme.h"
+
+#include <QApplication>
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+namespace pneuma {
+namespace {
+
+double linear(double channel) {
+  return channel <= 0.04045 ? channel / 12.92 : std::pow((channel + 0.055) / 1.055, 2.4);
+}
+
+double luminance(const QColor& colour) {
+  return 0.2126 * linear(colour.redF()) + 0.7152 * linear(colour.greenF()) +
+         0.0722 * linear(colour.blueF());
+}
+
+/// Contrast ratio of WCAG 2: 1 for equal colours, 21 for black on white.
+double contrast(const QColor& a, const QColor& b) {
+  const auto [low, high] = std::minmax({luminance(a), luminance(b)});
+  return (high + 0.05) / (low + 0.05);
+}
+
+class ThemeTest : public ::testing::TestWithParam<ThemeName> {};
+
+TEST_P(ThemeTest, EveryTextCanBeReadOnItsGround) {
+  applyTheme(*qApp, GetParam());
+  const Theme& theme = currentTheme();
+  for (const QColor& ground : {theme.panel, theme.card, theme.field, theme.selection}) {
+    for (const QColor& text : {theme.text, theme.dim}) {
+      EXPECT_GE(contrast(text, ground), 4.5)
+          << text.name().toStdString() << " on " << ground.name().toStdString();
+    }
+  }
+  EXPECT_GE(contrast(theme.accent, theme.panel), 4.5);
+  EXPECT_GE(contrast(theme.look, theme.panel), 4.5);
+  EXPECT_GE(contrast(theme.onAccent, theme.accent), 4.5);
+  EXPECT_GE(contrast(theme.onAccent, theme.accentHover), 4.5);
+}
+
+INSTANTIATE_TEST_SUITE_P(Both, ThemeTest, ::testing::Values(ThemeName::Dark, ThemeName::Light),
+                         [](const auto& theme) {
+                           return theme.param == ThemeName::Dark ? "dark" : "light";
+                         });
+
+}  // namespace
+}  // namespace pneuma
