@@ -36,9 +36,6 @@ struct Regions {
 };
 
 Regions regionsOf(const MeasureArguments& arguments, const Progress& progress) {
-  if (!arguments.domain.empty() && !arguments.organ.empty()) {
-    throw InvalidOption("measure takes --domain or --organ, not both");
-  }
   if (!arguments.organ.empty()) return {*openOrgan(arguments.organ).regions, {}, {}};
   if (arguments.domain.empty()) return {};
   const LungModel model = openLobes(arguments.domain, progress);
@@ -90,6 +87,9 @@ Json measureReport(const MeasureArguments& arguments, const TreeFile& file, cons
 ExitCode runMeasure(const MeasureArguments& arguments, const CommonOptions& common,
                     const Progress& progress) {
   if (arguments.csv && common.json) throw InvalidOption("measure takes --csv or --json, not both");
+  if (!arguments.domain.empty() && !arguments.organ.empty()) {
+    throw InvalidOption("measure takes --domain or --organ, not both");
+  }
   if (!common.output.empty()) requireOutput(common.output, common.existing());
   const TreeFile file = readTree(arguments.tree);
   const Regions regions = regionsOf(arguments, progress.part(0.0, 0.3, "reading"));

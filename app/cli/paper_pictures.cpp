@@ -33,15 +33,21 @@ Picture drawn(const LungModel& model, const SceneOptions& options, int width, in
   return renderPicture(scene, width, height);
 }
 
+/// All stages seen from the same place, so that one sees the tree grow.
 Picture stagesSheet(const LungModel& model, const SceneOptions& look, const Progress& progress) {
+  Scene scene;
+  SceneOptions options = look;
+  options.annotations = false;
+  scene.setOptions(options);
+  showModel(scene, model);
+  scene.look(viewDirection("anterior"));
   std::vector<Picture> stages;
   std::vector<std::string> captions;
   for (const int stage : Stages) {
     progress.report(static_cast<double>(stages.size()) / static_cast<double>(Stages.size()));
-    SceneOptions options = look;
     options.maxGeneration = stage;
-    options.annotations = false;
-    stages.push_back(drawn(model, options, StageWidth, StageHeight));
+    scene.setOptions(options);
+    stages.push_back(renderPicture(scene, StageWidth, StageHeight));
     captions.push_back("up to generation " + std::to_string(stage));
   }
   return contactSheet(stages, 3, captions);

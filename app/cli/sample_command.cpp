@@ -30,7 +30,7 @@ struct SampleArguments {
   static constexpr auto fields() {
     using S = SampleArguments;
     return std::tuple{
-        Field{"cell", &S::cellMm, "mm", Range{0.5, 10.0},
+        Field{"cell", &S::cellMm, "mm", Range{0.5, 6.0},
               "Side of the lattice the surfaces are made on."},
         Field{"format", &S::format, "", Range{}, "Format of the surfaces."},
     };
@@ -73,6 +73,17 @@ Json truth(const SampleChest& chest, const SampleArguments& arguments) {
         {"volume_ml", millilitres(chest.truth[i].domain->volumeMm3())},
         {"surface_volume_ml", millilitres(signedVolumeMm3(*surface.mesh))},
         {"triangles", surface.mesh->triangles.size()}};
+  }
+  report["fissures"] = Json::array();
+  for (const SampleFissure& fissure : chest.fissures) {
+    report["fissures"].push_back(
+        {{"name", fissure.name},
+         {"equation", "z = height + slope y + bend y^2 + side_bend (x - side)^2"},
+         {"height_mm", fissure.heightMm},
+         {"slope", fissure.slope},
+         {"bend_per_mm", fissure.bend},
+         {"side_bend_per_mm", fissure.sideBend},
+         {"side_mm", fissure.sideMm}});
   }
   return report;
 }

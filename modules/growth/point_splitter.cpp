@@ -88,7 +88,7 @@ class Splitter {
   Vec3 splittingNormal(const Task& task, const Vec3& centroid) const {
     const Vec3 across = task.direction.cross(task.parentDirection);
     const double length = across.norm();
-    if (length > 1e-6) return across / length;
+    if (length > 1e-6) return across * (1.0 / length);
     const Vec3 u = anyPerpendicular(task.direction);
     const Vec3 w = task.direction.cross(u);
     double uu = 0.0;
@@ -166,12 +166,12 @@ class Splitter {
 
   /// `way` turned in its plane with the mother's direction until the angle is within the limits.
   Vec3 withinAngles(const Vec3& direction, const Vec3& way, double length, const Vec3& away) const {
-    const double cosine = way.dot(direction) / length;
-    const bool tooSmall = cosine > cosMin_;
-    if (!tooSmall && cosine >= cosMax_) return way;
-    Vec3 sideways = way - way.dot(direction) * direction;
+    const double along = way.dot(direction);
+    const bool tooSmall = along > cosMin_ * length;
+    if (!tooSmall && along >= cosMax_ * length) return way;
+    Vec3 sideways = way - along * direction;
     const double size = sideways.norm();
-    sideways = size > 1e-9 * length ? Vec3(sideways / size) : away;
+    sideways = size > 1e-9 * length ? Vec3(sideways * (1.0 / size)) : away;
     return tooSmall ? Vec3(length * (cosMin_ * direction + sinMin_ * sideways))
                     : Vec3(length * (cosMax_ * direction + sinMax_ * sideways));
   }

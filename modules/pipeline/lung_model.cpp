@@ -110,6 +110,15 @@ bool hasGrownBranches(const AirwayTree& tree) {
   return std::ranges::any_of(tree, [](const Branch& b) { return b.origin == Origin::Grown; });
 }
 
+/// A central tree that says nothing of lobes; which lobe each branch serves shows when it is grown
+/// from.
+std::shared_ptr<const AirwayTree> asCentral(AirwayTree tree) {
+  for (std::size_t i = 0; i < tree.size(); ++i) {
+    if (tree[i].lobe == Lobe::Whole) tree.setLobe(i, Lobe::Central);
+  }
+  return std::make_shared<const AirwayTree>(std::move(tree));
+}
+
 constexpr std::array<std::string_view, 1> Organs = {"right-lung"};
 
 }  // namespace
@@ -178,7 +187,7 @@ LungModel withCentral(const LungModel& model, const fs::path& path) {
   for (const std::string& note : file.notes) {
     next.warnings.push_back(path.filename().string() + ": " + note);
   }
-  next.central = std::make_shared<const AirwayTree>(std::move(file.tree));
+  next.central = asCentral(std::move(file.tree));
   next.inputs.push_back(inputFile(path));
   next.growth = nullptr;
   next.readSeconds += secondsSince(start);
@@ -211,8 +220,11 @@ LungModel openFiles(std::span<const fs::path> paths, const Progress& progress) {
     for (const std::string& note : file.notes) {
       model.warnings.push_back(path.filename().string() + ": " + note);
     }
-    auto& slot = hasGrownBranches(file.tree) ? model.opened : model.central;
-    slot = std::make_shared<const AirwayTree>(std::move(file.tree));
+    if (hasGrownBranches(file.tree)) {
+      model.opened = std::make_shared<const AirwayTree>(std::move(file.tree));
+    } else {
+      model.central = asCentral(std::move(file.tree));
+    }
     model.inputs.push_back(inputFile(path));
   }
   progress.report(1.0);

@@ -21,6 +21,14 @@ namespace {
 
 double square(double v) { return v * v; }
 
+// The fissures in the frame of the model, below: oblique z = h - slope y - bend y^2, horizontal
+// z = h + slope y - sideBend (x - side)^2.
+constexpr double ObliqueSlope = 1.15;
+constexpr double ObliqueBend = 0.0009;
+constexpr double HorizontalSlope = 0.06;
+constexpr double HorizontalSideBend = 0.0005;
+constexpr double HorizontalSide = 80.0;
+
 /// The smaller of two levels with the edge between them rounded over about `width`; never larger
 /// than the minimum, and 1-Lipschitz if both are.
 double roundedMin(double a, double b, double width) {
@@ -79,13 +87,23 @@ struct LungShape {
   /// Positive above the oblique fissure.
   double aboveOblique(const Vec3& p) const {
     constexpr double Steepest = 1.7;  // of the gradient, in the lung's box
-    return (p.z() - oblique + 1.15 * p.y() + 0.0009 * square(p.y())) / Steepest;
+    return (p.z() - oblique + ObliqueSlope * p.y() + ObliqueBend * square(p.y())) / Steepest;
   }
 
   /// Positive above the horizontal fissure.
   double aboveHorizontal(const Vec3& p) const {
     constexpr double Steepest = 1.01;
-    return (p.z() - horizontal - 0.06 * p.y() + 0.0005 * square(p.x() - 80.0)) / Steepest;
+    return (p.z() - horizontal - HorizontalSlope * p.y() +
+            HorizontalSideBend * square(p.x() - HorizontalSide)) /
+           Steepest;
+  }
+
+  /// The same fissures in LPS, where y changes its sign and on the right x as well.
+  std::vector<SampleFissure> fissures() const {
+    if (side == Side::Left) return {{"left-oblique", oblique, ObliqueSlope, -ObliqueBend}};
+    return {{"right-oblique", oblique, ObliqueSlope, -ObliqueBend},
+            {"right-horizontal", horizontal, -HorizontalSlope, 0.0, -HorizontalSideBend,
+             -HorizontalSide}};
   }
 
   /// LPS box of the lung.
@@ -309,6 +327,7 @@ SampleChest sampleChest(double cellMm, const Progress& progress) {
   SampleChest chest;
   for (const Side lung : {Side::Right, Side::Left}) {
     const LungShape shape = shapeOf(lung);
+    for (const SampleFissure& fissure : shape.fissures()) chest.fissures.push_back(fissure);
     progress.report(static_cast<double>(chest.lobes.size()) / 5.0);
     const LungLattice lattice(shape, cellMm);
     for (const Lobe lobe : FiveLobes) {

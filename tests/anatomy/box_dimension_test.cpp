@@ -73,6 +73,21 @@ TEST(BoxDimension, FollowsLinesWithoutSkippingBoxes) {
   EXPECT_NEAR(dimensionsOf(tree)[0].dimension, std::log2(190.0 / 94.0), 1e-12);
 }
 
+TEST(BoxDimension, DoesNotDependOnHowALineIsCutOrWhichWayItRuns) {
+  const Vec3 end(301.3, -97.7, 643.9);
+  AirwayTree whole;
+  addBranch(whole, -1, end);
+  AirwayTree cut;
+  for (int i = 0; i < 997; ++i) addBranch(cut, i - 1, end / 997.0);
+  AirwayTree thereAndBack = whole;
+  addBranch(thereAndBack, 0, -end);
+  for (std::size_t octave = 0; octave < 5; ++octave) {
+    const double expected = dimensionsOf(whole)[octave].dimension;
+    EXPECT_NEAR(dimensionsOf(cut)[octave].dimension, expected, 1e-12);
+    EXPECT_NEAR(dimensionsOf(thereAndBack)[octave].dimension, expected, 1e-12);
+  }
+}
+
 TEST(BoxDimension, FollowsMeasuredCentrelines) {
   Branch detour;
   detour.proximal = Vec3::Zero();

@@ -101,6 +101,17 @@ TEST(Crossings, KinDoNotCount) {
   EXPECT_EQ(pairs.size(), 105U - 45U);
 }
 
+TEST(Crossings, KinDoNotDependOnTheOrderOfBranches) {
+  // Stored depth first: the niece (2) comes before her aunt (3).
+  AirwayTree tree;
+  addBranch(tree, -1, Vec3(0, 0, -0.1), 10.0);
+  addBranch(tree, 0, Vec3(0.1, 0, 0), 10.0);
+  addBranch(tree, 1, Vec3(0.1, 0, 0), 10.0);
+  addBranch(tree, 0, Vec3(-0.1, 0, 0), 10.0);
+  addBranch(tree, 1, Vec3(0, 0.1, 0), 10.0);
+  EXPECT_THAT(crossings(tree), IsEmpty());
+}
+
 TEST(Crossings, OneDaughterStepsAreOneBranch) {
   AirwayTree tree;
   int last = addBranch(tree, -1, Vec3(0, 0, -1), 1.0);

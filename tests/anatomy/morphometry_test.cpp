@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -137,6 +138,18 @@ TEST(Morphometry, GenerationsAndTerminalLengthsCountOneDaughterSteps) {
   EXPECT_NEAR(m.pathLengthMm.max, 30.0, 1e-12);
 }
 
+TEST(Morphometry, HorsfieldAndStrahlerOrdersDifferInAnAsymmetricTree) {
+  AirwayTree tree;  // single terminals part from a trunk: four terminals
+  int last = addBranch(tree, -1, Vec3(0, 0, -9));
+  for (int i = 0; i < 3; ++i) {
+    addBranch(tree, last, Vec3(4, 0, -1));
+    last = addBranch(tree, last, Vec3(0, 0, -9));
+  }
+  const Morphometry m = measure(tree);
+  EXPECT_EQ(m.strahler.counts, (std::vector<std::size_t>{4, 1}));
+  EXPECT_EQ(m.horsfield.counts, (std::vector<std::size_t>{4, 1, 1, 1}));
+}
+
 /// Weibel's regular model A (1963), generations 0 to 16.
 AirwayTree weibelTree() {
   static constexpr std::array<double, 17> LengthMm = {
@@ -233,6 +246,24 @@ TEST(MeasureByLobe, OfATreeInOneLobeIsTheWhole) {
   ASSERT_EQ(byLobe.size(), 1U);
   ASSERT_TRUE(byLobe.at(Lobe::LeftUpper).gap.has_value());
   expectEqual(byLobe.at(Lobe::LeftUpper), measure(tree, input));
+}
+
+TEST(MeasureByLobe, ALobeIsSuppliedByItsOwnTerminalsOnly) {
+  // The left terminal lies near the points of the right region, whose own terminal is far.
+  AirwayTree tree;
+  addBranch(tree, -1, Vec3(0, 0, 1), 0.1, Lobe::Central);
+  addBranch(tree, 0, Vec3(-9, 0, 0), 0.1, Lobe::RightUpper);
+  addBranch(tree, 0, Vec3(1, 0, 0), 0.1, Lobe::LeftUpper);
+  const std::array<LobeRegion, 2> lobes = {
+      {{Lobe::RightUpper, testing::box(Vec3(-10, -1, 0), Vec3(0, 1, 2))},
+       {Lobe::LeftUpper, testing::box(Vec3(0, -1, 0), Vec3(10, 1, 2))}}};
+  const MorphometryInput input{.lobes = lobes, .seed = 1, .gapPoints = 20000};
+  const auto byLobe = measureByLobe(tree, input);
+  const Gap& right = byLobe.at(Lobe::RightUpper).gap.value();
+  const Gap whole = measure(tree, input).gap.value();
+  // The farthest corner of the right box is 9 mm and a bit away from its own terminal.
+  EXPECT_NEAR(right.max * right.spacingMm, std::sqrt(81.0 + 1.0 + 1.0), 0.2);
+  EXPECT_LT(whole.mean * whole.spacingMm, right.mean * right.spacingMm);
 }
 
 TEST(MeasureByLobe, PartsAddUpToTheWhole) {

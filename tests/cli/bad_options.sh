@@ -36,7 +36,7 @@ refuses "threads that are no number" 2 "threads.*number.*'many'" grow ball.obj -
 refuses "an unknown progress" 2 "progress.*auto.*'loud'" grow ball.obj --progress loud -o t.vtp
 refuses "CSV and JSON" 2 "csv.*json" measure t.vtp --csv --json
 refuses "domain and organ" 2 "not both" measure t.vtp --domain ball.obj --organ right-lung
-refuses "a lattice out of range" 2 "cell.*\[0.5, 10\] mm.*500" sample chest --cell 500
+refuses "a lattice out of range" 2 "cell.*\[0.5, 6\] mm.*500" sample chest --cell 500
 refuses "a lattice in a wrong unit" 2 "cell.*mm.*'2kg'" sample chest --cell 2kg
 
 grow=(grow ball.obj -o t.vtp)

@@ -3,18 +3,22 @@
 #include <QElapsedTimer>
 #include <QSignalSpy>
 #include <QTest>
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <new>
 #include <thread>
+#include <vector>
 
 #include <gtest/gtest.h>
+
+#include "machine_load.h"
 
 namespace pneuma {
 namespace {
 
 bool waitUntilIdle(const JobQueue& queue) {
-  return QTest::qWaitFor([&] { return !queue.busy(); }, 5000);
+  return QTest::qWaitFor([&] { return !queue.busy(); }, 60000);
 }
 
 /// Works until it is asked to stop.
@@ -96,7 +100,7 @@ TEST(JobQueue, CancelStopsTheRunningJobAndForgetsThoseThatWait) {
   clock.start();
   queue.cancel();
   ASSERT_TRUE(waitUntilIdle(queue));
-  EXPECT_LT(clock.elapsed(), 500);
+  EXPECT_LT(static_cast<double>(clock.elapsed()), 500.0 * testing::machineLoad());
   EXPECT_EQ(cancelled.count(), 2);
   EXPECT_FALSE(ran);
 }
@@ -150,7 +154,7 @@ TEST(JobQueue, GoesAwayWhileAJobRuns) {
     queue.push("work", endless);
     QTest::qWait(40);
   }
-  EXPECT_LT(clock.elapsed(), 1000);
+  EXPECT_LT(static_cast<double>(clock.elapsed()), 1000.0 * testing::machineLoad());
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "document/property_sheet.h"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "sample_snapshot.h"

@@ -17,6 +17,7 @@
 
 #include "io/surface_file.h"
 #include "io/tree_file.h"
+#include "machine_load.h"
 #include "pipeline/sample_chest.h"
 #include "widgets/main_window.h"
 #include "widgets/scene_view.h"
@@ -48,7 +49,7 @@ class WindowTest : public ::testing::Test {
 
   void click(const char* name) { QTest::mouseClick(&find<QAbstractButton>(name), Qt::LeftButton); }
 
-  bool idle(int milliseconds = 60000) {
+  bool idle(int milliseconds = 300000) {
     return QTest::qWaitFor([this] { return !window.document().jobs().busy(); }, milliseconds);
   }
 
@@ -173,8 +174,8 @@ TEST_F(WindowTest, ABigGrowthIsCancelledWithinHalfASecond) {
   QElapsedTimer clock;
   clock.start();
   QTest::keyClick(&window, Qt::Key_Escape);
-  ASSERT_TRUE(idle(5000));
-  EXPECT_LT(clock.elapsed(), 500);
+  ASSERT_TRUE(idle());
+  EXPECT_LT(static_cast<double>(clock.elapsed()), 500.0 * testing::machineLoad());
   EXPECT_EQ(branches(), before);
 }
 
@@ -182,18 +183,18 @@ TEST_F(WindowTest, TheWindowAnswersWhileAJobRuns) {
   openChestFromFiles();
   grow(200);
   setTerminals(5000000);
-  click("grow");
   qint64 longest = 0;
   QElapsedTimer sinceLast;
   sinceLast.start();
+  click("grow");
   for (int i = 0; i < 40 && window.document().jobs().busy(); ++i) {
     QTest::qWait(10);
     longest = std::max(longest, sinceLast.restart());
   }
-  // Seconds if the growth ran on this thread; the slack is for busy machines with few cores.
-  EXPECT_LT(longest, 1000);
+  // Many seconds if the growth ran on this thread.
+  EXPECT_LT(static_cast<double>(longest), 500.0 * testing::machineLoad());
   window.document().jobs().cancel();
-  ASSERT_TRUE(idle(5000));
+  ASSERT_TRUE(idle());
 }
 
 TEST_F(WindowTest, SavesTheTreeThroughTheDialogAndItReadsBackEqual) {

@@ -190,5 +190,35 @@ TEST(SampleChest, StopsWhenAsked) {
   EXPECT_THROW(sampleChest(4.0, Progress(stopAtOnce)), Cancelled);
 }
 
+TEST(SampleChest, LobesChangeAtTheFissures) {
+  // Below and above each fissure, one millimetre away, are the lobes that it parts.
+  const auto holds = [](Lobe lobe, const Vec3& p) {
+    return chest().truth[static_cast<std::size_t>(lobe) - 1].domain->contains(p);
+  };
+  ASSERT_EQ(chest().fissures.size(), 3U);
+  Random random(11);
+  for (const SampleFissure& fissure : chest().fissures) {
+    const bool right = fissure.name.starts_with("right");
+    const bool horizontal = fissure.name == "right-horizontal";
+    std::size_t crossings = 0;
+    for (int i = 0; i < 2000; ++i) {
+      const double x = random.uniform(20.0, 130.0) * (right ? -1.0 : 1.0);
+      const double y = random.uniform(-100.0, 100.0);
+      const Vec3 below(x, y, fissure.zAt(x, y) - 1.0);
+      const Vec3 above(x, y, fissure.zAt(x, y) + 1.0);
+      const Lobe lower = horizontal ? Lobe::RightMiddle
+                         : right    ? Lobe::RightLower
+                                    : Lobe::LeftLower;
+      const bool lowerBelow = holds(lower, below);
+      const bool upperAbove =
+          right ? holds(Lobe::RightUpper, above) || (!horizontal && holds(Lobe::RightMiddle, above))
+                : holds(Lobe::LeftUpper, above);
+      EXPECT_FALSE(holds(lower, above)) << fissure.name;
+      if (lowerBelow && upperAbove) ++crossings;
+    }
+    EXPECT_GT(crossings, 100U) << fissure.name;
+  }
+}
+
 }  // namespace
 }  // namespace pneuma
