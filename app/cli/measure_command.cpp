@@ -77,6 +77,7 @@ Json measureReport(const MeasureArguments& arguments, const TreeFile& file, cons
   report["branches"] = file.tree.size();
   report["terminals"] = terminalCount(file.tree);
   report["morphometry"] = toJson(measured.whole);
+  report["published"] = publishedJson(measured.whole);
   report["lobes"] = Json::object();
   for (const auto& [lobe, morphometry] : measured.byLobe) {
     report["lobes"][std::string(shortName(lobe))] = toJson(morphometry);

@@ -106,9 +106,12 @@ void setOption(Options& options, std::string_view key, std::string_view text) {
       detail::throwUnknownChoice(key, text, {names.begin(), names.end()});
     } else {
       const double number = detail::parseNumber(key, text, field.unit);
-      const bool whole = std::is_floating_point_v<Value> ||
-                         number == static_cast<double>(static_cast<std::int64_t>(number));
-      if (!(number >= field.range.low && number <= field.range.high) || !whole) {
+      const bool inRange = number >= field.range.low && number <= field.range.high;
+      // The range keeps the cast to an integer defined.
+      const bool whole =
+          std::is_floating_point_v<Value> ||
+          (inRange && number == static_cast<double>(static_cast<std::int64_t>(number)));
+      if (!inRange || !whole) {
         detail::throwOutOfRange(field.name, field.range, field.unit, std::string(text));
       }
       options.*(field.member) = static_cast<Value>(number);
