@@ -135,6 +135,12 @@ void ClearanceGrid::setCells(const std::vector<Cell>& kinds) {
   }
 }
 
+bool ClearanceGrid::keepsInside(const Box3& box) const {
+  const Vec3 centre = box.center();
+  // A cell's clearance is that of a cube around it.
+  return clearance(centre) > 0 && clearanceMm(centre) > box.sizes().maxCoeff() / 2.0;
+}
+
 double ClearanceGrid::clearanceMm(const Vec3& p) const {
   const Vec3 q = (p - origin_) * inverseCellMm_;
   if (!holds(q)) return 0.0;

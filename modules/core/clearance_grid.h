@@ -61,6 +61,9 @@ class ClearanceGrid {
   /// A distance that `p` certainly keeps from the wall, mm; 0 if its cell may hold the wall.
   double clearanceMm(const Vec3& p) const;
 
+  /// True only if the whole box certainly lies inside, off the wall.
+  bool keepsInside(const Box3& box) const;
+
   std::size_t cellCount() const { return clearance_.size(); }
 
  private:

@@ -51,6 +51,10 @@ bool GridDomain::contains(const Vec3& p) const {
   return clearance == 0 ? domain_->contains(p) : clearance > 0;
 }
 
+bool GridDomain::containsBox(const Box3& box) const {
+  return grid_.keepsInside(box) || domain_->containsBox(box);
+}
+
 double GridDomain::distanceToWall(const Vec3& p) const {
   return std::max(domain_->distanceToWall(p), grid_.clearanceMm(p));
 }

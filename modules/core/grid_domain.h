@@ -20,6 +20,7 @@ class GridDomain : public Domain {
 
   bool contains(const Vec3& p) const override;
   bool containsSegment(const Vec3& a, const Vec3& b) const override;
+  bool containsBox(const Box3& box) const override;
   double distanceToWall(const Vec3& p) const override;
 
   Box3 bounds() const override { return domain_->bounds(); }

@@ -34,9 +34,11 @@ class Progress {
     sink_->report(low_ + (high_ - low_) * std::clamp(fraction, 0.0, 1.0), what_);
   }
 
+  bool stopRequested() const { return sink_ != nullptr && sink_->stopRequested(); }
+
   /// @throws Cancelled if the user wants to stop
   void throwIfStopped() const {
-    if (sink_ != nullptr && sink_->stopRequested()) throw Cancelled();
+    if (stopRequested()) throw Cancelled();
   }
 
   /// The part [from, to] of this piece of work, to be handed to a sub-step called `what`.

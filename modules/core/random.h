@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <random>
 #include <utility>
@@ -21,6 +22,16 @@ class Random {
 
   /// Uniform in 0 .. n - 1; n > 0.
   std::uint64_t below(std::uint64_t n) { return engine_() % n; }
+
+  /// Normal with mean 0 and standard deviation 1 (Marsaglia's polar method).
+  double normal() {
+    while (true) {
+      const double x = uniform(-1.0, 1.0);
+      const double y = uniform(-1.0, 1.0);
+      const double s = x * x + y * y;
+      if (s > 0.0 && s < 1.0) return x * std::sqrt(-2.0 * std::log(s) / s);
+    }
+  }
 
   template <class T>
   void shuffle(std::vector<T>& items) {

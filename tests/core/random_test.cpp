@@ -52,6 +52,32 @@ TEST(Random, KeepsToItsLimits) {
   for (const int count : seen) EXPECT_NEAR(count, 1000, 150);
 }
 
+TEST(Random, NormalNumbersHaveTheMomentsOfTheirLaw) {
+  Random random(4);
+  constexpr int Count = 200000;
+  double sum = 0.0;
+  double squares = 0.0;
+  double fourths = 0.0;
+  int beyondTwo = 0;
+  for (int i = 0; i < Count; ++i) {
+    const double v = random.normal();
+    sum += v;
+    squares += v * v;
+    fourths += v * v * v * v;
+    beyondTwo += std::abs(v) > 2.0 ? 1 : 0;
+  }
+  EXPECT_NEAR(sum / Count, 0.0, 0.01);
+  EXPECT_NEAR(squares / Count, 1.0, 0.02);
+  EXPECT_NEAR(fourths / Count, 3.0, 0.1);
+  EXPECT_NEAR(beyondTwo / static_cast<double>(Count), 0.0455, 0.002);
+}
+
+TEST(Random, NormalNumbersAreTheSameForTheSameSeed) {
+  Random a(9);
+  Random b(9);
+  for (int i = 0; i < 100; ++i) EXPECT_EQ(a.normal(), b.normal());
+}
+
 TEST(Random, ShufflesWithoutLosingAnything) {
   std::vector<int> items(100);
   std::iota(items.begin(), items.end(), 0);
