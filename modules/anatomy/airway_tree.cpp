@@ -79,6 +79,7 @@ AirwayTree contractChains(const AirwayTree& tree) {
       joined.lobe = part.lobe;
       joined.segment = part.segment;
       joined.origin = part.origin;
+      joined.ending = part.ending;
       joined.suppliedMl += part.suppliedMl;
       const double partLength = lengthMm(part);
       weightedRadius += partLength * part.radiusMm;

@@ -12,6 +12,14 @@ namespace pneuma {
 /// Where a branch comes from.
 enum class Origin : std::uint8_t { Measured = 0, Template = 1, Grown = 2 };
 
+/// Why growth stopped at a terminal.
+enum class Ending : std::uint8_t {
+  None = 0,        ///< it did not stop here, or the method does not say
+  Flow = 1,        ///< what it serves is small enough: as it should be
+  LeftRegion = 2,  ///< its end left the region it serves, or nothing is left of that region: failed
+  Ratio = 3,       ///< its region can not be divided evenly enough: failed
+};
+
 /// A point of a measured centreline between the ends of its branch.
 struct CentrelinePoint {
   Vec3 position;  ///< LPS, mm
@@ -26,9 +34,10 @@ struct Branch {
   Vec3 distal = Vec3::Zero();    ///< end towards the alveoli, LPS, mm
   double radiusMm = 0.0;
   Lobe lobe = Lobe::Whole;
-  std::uint8_t segment = 0;  ///< bronchopulmonary segment, 0 if unknown
+  std::uint8_t segment = 0;  ///< bronchopulmonary segment (anatomy/segment.h), 0 if unknown
   Origin origin = Origin::Grown;
   double suppliedMl = 0.0;  ///< lung supplied at this branch's own end, not through its children
+  Ending ending = Ending::None;
   std::vector<CentrelinePoint> via = {};  ///< proximal to distal, without the ends
 };
 
@@ -66,6 +75,8 @@ class AirwayTree {
   void setSegment(std::size_t i, std::uint8_t segment) { branches_[i].segment = segment; }
 
   void setOrigin(std::size_t i, Origin origin) { branches_[i].origin = origin; }
+
+  void setEnding(std::size_t i, Ending ending) { branches_[i].ending = ending; }
 
   void setSuppliedMl(std::size_t i, double ml) { branches_[i].suppliedMl = ml; }
 

@@ -42,6 +42,15 @@ std::vector<int> strahlerOrders(const AirwayTree& tree) {
   return order;
 }
 
+std::vector<double> servedMl(const AirwayTree& tree) {
+  std::vector<double> served(tree.size(), 0.0);
+  for (std::size_t i = tree.size(); i-- > 0;) {
+    served[i] += tree[i].suppliedMl;
+    if (tree[i].parent >= 0) served[static_cast<std::size_t>(tree[i].parent)] += served[i];
+  }
+  return served;
+}
+
 std::vector<double> flowFractions(const AirwayTree& tree) {
   double supplied = 0.0;
   for (const Branch& branch : tree) supplied += branch.suppliedMl;

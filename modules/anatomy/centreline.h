@@ -1,5 +1,7 @@
 #pragma once
 
+#include <numbers>
+
 #include "anatomy/airway_tree.h"
 
 namespace pneuma {
@@ -26,6 +28,17 @@ void forEachPiece(const Branch& branch, F&& f) {
     radius = point.radiusMm;
   }
   f(CentrelinePiece{from, branch.distal, radius, radius});
+}
+
+/// Sum of the cones between the points of the centreline, mm^3.
+inline double airwayVolumeMm3(const Branch& branch) {
+  double volume = 0.0;
+  forEachPiece(branch, [&](const CentrelinePiece& piece) {
+    const double r = piece.fromRadiusMm;
+    const double s = piece.toRadiusMm;
+    volume += (piece.to - piece.from).norm() * (r * r + r * s + s * s) * std::numbers::pi / 3.0;
+  });
+  return volume;
 }
 
 }  // namespace pneuma

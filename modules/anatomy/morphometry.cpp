@@ -4,7 +4,6 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
-#include <numbers>
 #include <string>
 
 #include "anatomy/branch_order.h"
@@ -40,17 +39,6 @@ void requireMeasurable(const AirwayTree& tree) {
                          "mend the tree before measuring it");
     }
   }
-}
-
-/// Sum of the cones between the points of the centreline, mm^3.
-double airwayVolumeMm3(const Branch& branch) {
-  double volume = 0.0;
-  forEachPiece(branch, [&](const CentrelinePiece& piece) {
-    const double r = piece.fromRadiusMm;
-    const double s = piece.toRadiusMm;
-    volume += (piece.to - piece.from).norm() * (r * r + r * s + s * s) * std::numbers::pi / 3.0;
-  });
-  return volume;
 }
 
 /// Length along the airways from the root's proximal end to every branch's distal end.

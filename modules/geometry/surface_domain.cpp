@@ -1,6 +1,7 @@
 #include "geometry/surface_domain.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <mutex>
 #include <optional>
@@ -122,6 +123,30 @@ bool SurfaceDomain::containsSegment(const Vec3& a, const Vec3& b) const {
   if (!contains(a) || !state_->box.contains(b)) return false;
   const double length = (b - a).norm();
   return state_->grid.clearanceMm(a) > length || state_->keepsOffWall(a, b);
+}
+
+bool SurfaceDomain::containsBox(const Box3& box) const { return state_->grid.keepsInside(box); }
+
+std::uint32_t SurfaceDomain::insideAlongX(const Vec3& first, double stepMm,
+                                          std::uint32_t wanted) const {
+  std::uint32_t inside = 0;
+  std::uint32_t left = wanted;
+  while (left != 0) {
+    const int i = std::countr_zero(left);
+    const Vec3 p = first + Vec3(i * stepMm, 0.0, 0.0);
+    // What is far from the wall answers for its neighbours as well.
+    const double clear = state_->grid.clearanceMm(p);
+    const int alike = std::min(31 - i, static_cast<int>(clear / stepMm));
+    const std::uint32_t bits = ((2U << alike) - 1U) << i;
+    if (contains(p)) inside |= bits;
+    left &= ~bits;
+  }
+  return inside & wanted;
+}
+
+double SurfaceDomain::exitDistance(const Vec3& p, const Vec3& direction, double farthestMm) const {
+  return exitByMarching(p, direction, farthestMm,
+                        [this](const Vec3& at) { return state_->grid.clearanceMm(at); });
 }
 
 double SurfaceDomain::distanceToWall(const Vec3& p) const {

@@ -22,6 +22,11 @@ class SurfaceDomain : public Domain {
 
   bool contains(const Vec3& p) const override;
   bool containsSegment(const Vec3& a, const Vec3& b) const override;
+  /// By the grid, without a search tree.
+  bool containsBox(const Box3& box) const override;
+  std::uint32_t insideAlongX(const Vec3& first, double stepMm, std::uint32_t wanted) const override;
+  /// Marched by the grid, near the wall in steps of 0.5 mm.
+  double exitDistance(const Vec3& p, const Vec3& direction, double farthestMm) const override;
   /// Exact. The first call builds a search tree.
   double distanceToWall(const Vec3& p) const override;
   Box3 bounds() const override;
