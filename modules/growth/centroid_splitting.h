@@ -9,20 +9,10 @@
 #include "anatomy/diameter_law.h"
 #include "core/options.h"
 #include "core/progress.h"
+#include "growth/containment.h"
 #include "growth/growth_result.h"
 
 namespace pneuma {
-
-/// What may leave its lobe.
-enum class Containment {
-  None,      ///< anything, as in the paper
-  Ends,      ///< branch ends stay inside (rule 7 of the method's page)
-  Branches,  ///< branches stay inside from end to end
-};
-
-constexpr std::array<std::string_view, 3> choices(Containment) {
-  return {"none", "ends", "branches"};
-}
 
 /// Options of growth by centroid splitting; the defaults are those of Huang 2004.
 struct CentroidSplittingOptions {

@@ -14,6 +14,10 @@ struct Overloaded : Cases... {
 
 std::span<const GrowthMethod> methods() {
   static const auto table = std::to_array<GrowthMethod>({
+      {"kitaoka", "Kitaoka's rules",
+       "Kitaoka H, Takaki R, Suki B. A three-dimensional model of the human airway tree. J Appl "
+       "Physiol 87(6): 2207-2217, 1999",
+       KitaokaOptions{}},
       {"centroid", "Centroid splitting",
        "Huang XY, Tan XP, Pei JM. A three dimensional fractal simulation of the lung bronchial "
        "tree. 2004",
@@ -45,9 +49,12 @@ GrowthResult growAirways(const AirwayTree& central, std::span<const LobeRegion> 
   if (central.empty()) {
     throw InvalidInput("there are no central airways to grow from; read some or make a template");
   }
-  return std::visit(Overloaded{[&](const CentroidSplittingOptions& o) {
-                      return growByCentroidSplitting(central, lobes, o, progress);
-                    }},
+  return std::visit(Overloaded{[&](const KitaokaOptions& o) {
+                                 return growByKitaoka(central, lobes, o, progress);
+                               },
+                               [&](const CentroidSplittingOptions& o) {
+                                 return growByCentroidSplitting(central, lobes, o, progress);
+                               }},
                     options);
 }
 

@@ -10,19 +10,20 @@
 #include "anatomy/airway_tree.h"
 #include "core/progress.h"
 #include "growth/centroid_splitting.h"
+#include "growth/kitaoka.h"
 
 namespace pneuma {
 
 /// The choice of a method is the choice of its options. A new method is one more alternative here
 /// and one more row in growthMethods().
-using GrowthOptions = std::variant<CentroidSplittingOptions>;
+using GrowthOptions = std::variant<KitaokaOptions, CentroidSplittingOptions>;
 
 /// One row of the menus, of `pneuma grow --method` and of the tests.
 struct GrowthMethod {
   std::string_view name;      ///< as typed: "centroid"
   std::string_view title;     ///< for people
   std::string_view citation;  ///< the paper
-  GrowthOptions defaults;     ///< the paper's values
+  GrowthOptions defaults;
 };
 
 std::span<const GrowthMethod> growthMethods();

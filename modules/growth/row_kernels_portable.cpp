@@ -1,0 +1,3 @@
+#define PNEUMA_ROW_KERNELS rowKernelsPortable
+#define PNEUMA_ROW_KERNELS_NAME "portable"
+#include "growth/row_kernels_body.h"
