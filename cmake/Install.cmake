@@ -1,5 +1,5 @@
 # What `cmake --install` puts in place beside the programs, which their own folders install.
-install(DIRECTORY "${PROJECT_SOURCE_DIR}/resources/schemas"
+install(DIRECTORY "${PROJECT_SOURCE_DIR}/resources/airways" "${PROJECT_SOURCE_DIR}/resources/schemas"
         DESTINATION "${CMAKE_INSTALL_DATADIR}/pneuma")
 install(FILES LICENSE README.md CHANGELOG.md CITATION.cff DESTINATION "${CMAKE_INSTALL_DOCDIR}")
 if(PNEUMA_BUILD_GUI)

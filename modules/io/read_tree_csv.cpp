@@ -12,16 +12,31 @@
 namespace pneuma {
 namespace {
 
-enum Column { Id, Parent, Lobe_, Segment, X0, Y0, Z0, X1, Y1, Z1, Diameter, Origin_, Supplied };
+enum Column {
+  Id,
+  Parent,
+  Lobe_,
+  Segment,
+  X0,
+  Y0,
+  Z0,
+  X1,
+  Y1,
+  Z1,
+  Diameter,
+  Origin_,
+  Ending_,
+  Supplied
+};
 
-constexpr std::array<std::string_view, 13> ReadColumns = {
-    "id", "parent", "lobe", "segment",     "x0",     "y0",         "z0",
-    "x1", "y1",     "z1",   "diameter_mm", "origin", "supplied_ml"};
+constexpr std::array<std::string_view, 14> ReadColumns = {
+    "id", "parent", "lobe", "segment",     "x0",     "y0",     "z0",
+    "x1", "y1",     "z1",   "diameter_mm", "origin", "ending", "supplied_ml"};
 
 /// Columns that follow from the others.
-constexpr std::array<std::string_view, 7> DerivedColumns = {
+constexpr std::array<std::string_view, 8> DerivedColumns = {
     "side",      "generation",    "horsfield_order", "strahler_order",
-    "length_mm", "flow_fraction", "terminal"};
+    "length_mm", "flow_fraction", "region_ml",       "terminal"};
 
 constexpr std::array<Column, 9> RequiredColumns = {Id, Parent, X0, Y0, Z0, X1, Y1, Z1, Diameter};
 
@@ -139,6 +154,7 @@ BranchRow branchRow(const Head& head, const Row& row) {
   if (head.has(Lobe_)) branch.lobe = lobeOfValue(row.number(Lobe_), row.where(Lobe_));
   if (head.has(Segment)) branch.segment = segmentOfValue(row.number(Segment), row.where(Segment));
   if (head.has(Origin_)) branch.origin = originOfValue(row.number(Origin_), row.where(Origin_));
+  if (head.has(Ending_)) branch.ending = endingOfValue(row.number(Ending_), row.where(Ending_));
   if (head.has(Supplied)) branch.suppliedMl = row.number(Supplied);
   return result;
 }

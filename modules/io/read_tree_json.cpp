@@ -19,6 +19,7 @@ enum Member {
   Segment,
   Diameter,
   OriginValue,
+  EndingValue,
   Supplied,
   Proximal,
   Distal,
@@ -27,8 +28,8 @@ enum Member {
 };
 
 constexpr std::array<std::string_view, MemberCount> Names = {
-    "id",     "parent",      "lobe",     "segment", "diameter_mm",
-    "origin", "supplied_ml", "proximal", "distal",  "via"};
+    "id",     "parent",      "lobe",     "segment", "diameter_mm", "origin",
+    "ending", "supplied_ml", "proximal", "distal",  "via"};
 
 constexpr std::array<Member, 5> Required = {Id, Parent, Diameter, Proximal, Distal};
 
@@ -202,6 +203,9 @@ class TreeHandler {
         break;
       case OriginValue:
         row.branch.origin = originOfValue(value, here());
+        break;
+      case EndingValue:
+        row.branch.ending = endingOfValue(value, here());
         break;
       case Supplied:
         row.branch.suppliedMl = value;

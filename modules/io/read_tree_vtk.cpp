@@ -97,6 +97,7 @@ AirwayTree readOwn(vtkPolyData& data, const std::string& name, std::vector<std::
   const CellColumn segment(data, "segment", name);
   const CellColumn diameter(data, "diameter_mm", name);
   const CellColumn origin(data, "origin", name);
+  const CellColumn ending(data, "ending", name);
   const CellColumn supplied(data, "supplied_ml", name);
   std::vector<BranchRow> rows(static_cast<std::size_t>(data.GetNumberOfLines()));
   for (vtkIdType cell = 0; cell < data.GetNumberOfLines(); ++cell) {
@@ -117,6 +118,7 @@ AirwayTree readOwn(vtkPolyData& data, const std::string& name, std::vector<std::
     branch.lobe = lobeOfValue(lobe.number(cell), lobe.where());
     branch.segment = segmentOfValue(segment.number(cell), segment.where());
     branch.origin = originOfValue(origin.number(cell), origin.where());
+    branch.ending = endingOfValue(ending.number(cell), ending.where());
     branch.suppliedMl = supplied.number(cell);
     branch.via.reserve(static_cast<std::size_t>(count - 2));
     for (vtkIdType i = 1; i + 1 < count; ++i) {

@@ -144,15 +144,16 @@ std::string treeCsvText(const AirwayTree& tree, const Metadata& metadata) {
   text.reserve(text.size() + 200 * tree.size());
   text +=
       "id,parent,lobe,side,segment,generation,horsfield_order,strahler_order,x0,y0,z0,x1,y1,z1,"
-      "length_mm,diameter_mm,flow_fraction,terminal,origin,supplied_ml\n";
+      "length_mm,diameter_mm,flow_fraction,region_ml,terminal,origin,ending,supplied_ml\n";
   for (std::size_t i = 0; i < tree.size(); ++i) {
     const Branch& branch = tree[i];
     Joined(text) << static_cast<int>(i) << branch.parent << static_cast<int>(branch.lobe)
                  << static_cast<int>(side(branch.lobe)) << static_cast<int>(branch.segment)
                  << columns.generation[i] << columns.horsfieldOrder[i] << columns.strahlerOrder[i]
                  << branch.proximal << branch.distal << lengthMm(branch) << 2.0 * branch.radiusMm
-                 << columns.flowFraction[i] << static_cast<int>(columns.terminal[i])
-                 << static_cast<int>(branch.origin) << branch.suppliedMl;
+                 << columns.flowFraction[i] << columns.regionMl[i]
+                 << static_cast<int>(columns.terminal[i]) << static_cast<int>(branch.origin)
+                 << static_cast<int>(branch.ending) << branch.suppliedMl;
     text += '\n';
   }
   return text;
@@ -195,8 +196,10 @@ std::string treeJsonText(const AirwayTree& tree, const Metadata& metadata) {
     member("length_mm", lengthMm(branch));
     member("diameter_mm", 2.0 * branch.radiusMm);
     member("flow_fraction", columns.flowFraction[i]);
+    member("region_ml", columns.regionMl[i]);
     member("terminal", std::int64_t{columns.terminal[i]});
     member("origin", static_cast<std::int64_t>(branch.origin));
+    member("ending", static_cast<std::int64_t>(branch.ending));
     member("supplied_ml", branch.suppliedMl);
     if (!branch.via.empty()) {
       text += ",\"via\":[";

@@ -77,8 +77,10 @@ std::string vtpText(const AirwayTree& tree, const Metadata& metadata) {
   addColumn<Real>(*data, "length_mm", [&](std::size_t i) { return lengthMm(tree[i]); });
   addColumn<Real>(*data, "diameter_mm", [&](std::size_t i) { return 2.0 * tree[i].radiusMm; });
   addColumn<Real>(*data, "flow_fraction", [&](std::size_t i) { return columns.flowFraction[i]; });
+  addColumn<Real>(*data, "region_ml", [&](std::size_t i) { return columns.regionMl[i]; });
   addColumn<Byte>(*data, "terminal", [&](std::size_t i) { return columns.terminal[i]; });
   addColumn<Byte>(*data, "origin", [&](std::size_t i) { return tree[i].origin; });
+  addColumn<Byte>(*data, "ending", [&](std::size_t i) { return tree[i].ending; });
   addColumn<Real>(*data, "supplied_ml", [&](std::size_t i) { return tree[i].suppliedMl; });
   for (const auto& [key, value] : metadata) setFieldText(*data, key, value);
   setFieldText(*data, std::string(SpaceKey), "LPS");

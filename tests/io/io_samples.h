@@ -34,6 +34,7 @@ inline AirwayTree sampleTree() {
     branch.lobe = lobe;
     branch.segment = static_cast<std::uint8_t>(parent < 2 ? 0 : parent % 11);
     branch.origin = origin;
+    branch.ending = origin == Origin::Grown ? static_cast<Ending>(tree.size() % 4) : Ending::None;
     branch.suppliedMl = origin == Origin::Grown ? random.uniform(0.1, 0.2) : 0.0;
     return tree.add(branch);
   };

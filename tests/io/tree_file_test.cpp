@@ -46,6 +46,7 @@ void expectEqualGeometry(const AirwayTree& a, const AirwayTree& b, bool withVia 
 void expectEqualLabels(const AirwayTree& a, const AirwayTree& b) {
   for (std::size_t i = 0; i < a.size(); ++i) {
     EXPECT_EQ(a[i].segment, b[i].segment) << i;
+    EXPECT_EQ(a[i].ending, b[i].ending) << i;
     EXPECT_EQ(a[i].suppliedMl, b[i].suppliedMl) << i;
   }
 }
@@ -125,9 +126,10 @@ TEST(WriteTree, RefusesOtherExtensions) {
 TEST(TreeCsv, HasTheColumnsOfTheArrays) {
   const AirwayTree tree = sampleTree();
   const std::string text = treeText(tree, "csv");
-  EXPECT_THAT(text, HasSubstr("\nid,parent,lobe,side,segment,generation,horsfield_order,"
-                              "strahler_order,x0,y0,z0,x1,y1,z1,length_mm,diameter_mm,"
-                              "flow_fraction,terminal,origin,supplied_ml\n0,-1,6,0,0,0,"));
+  EXPECT_THAT(
+      text, HasSubstr("\nid,parent,lobe,side,segment,generation,horsfield_order,"
+                      "strahler_order,x0,y0,z0,x1,y1,z1,length_mm,diameter_mm,"
+                      "flow_fraction,region_ml,terminal,origin,ending,supplied_ml\n0,-1,6,0,0,0,"));
 }
 
 TEST(TreeJson, TellsOrdersAndLengthsOfEveryBranch) {
@@ -136,10 +138,13 @@ TEST(TreeJson, TellsOrdersAndLengthsOfEveryBranch) {
   ASSERT_EQ(json["branches"].size(), tree.size());
   const std::vector<int> order = strahlerOrders(tree);
   const std::vector<double> flow = flowFractions(tree);
+  const std::vector<double> served = servedMl(tree);
   for (std::size_t i = 0; i < tree.size(); ++i) {
     const auto& branch = json["branches"][i];
     EXPECT_EQ(branch["strahler_order"], order[i]);
     EXPECT_EQ(branch["flow_fraction"], flow[i]);
+    EXPECT_EQ(branch["region_ml"], served[i]);
+    EXPECT_EQ(branch["ending"], static_cast<int>(tree[i].ending));
     EXPECT_EQ(branch["length_mm"], lengthMm(tree[i]));
     EXPECT_EQ(branch["diameter_mm"], 2.0 * tree[i].radiusMm);
   }
@@ -154,12 +159,65 @@ TEST(TreeJson, IsAsItsSchemaSays) {
   EXPECT_THAT(schema.faults(json), ::testing::SizeIs(1));
 }
 
+/// `text` with every occurrence of `from` replaced.
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at)) {
+    text.replace(at, from.size(), to);
+    at += to.size();
+  }
+  return text;
+}
+
+TEST(ReadTree, TakesFilesFromBeforeEndingsWereWritten) {
+  const TempFolder folder;
+  AirwayTree tree;
+  tree.add({-1, Vec3(0, 0, 0), Vec3(0, 0, -1), 0.1});
+  const std::vector<std::pair<std::string, std::pair<std::string, std::string>>> changes = {
+      {"vtp", {"Name=\"ending\"", "Name=\"unused\""}},
+      {"csv", {",region_ml,terminal,origin,ending,", ",flow_fraction2,terminal,origin,unused,"}},
+      {"json", {",\"ending\":0", ""}}};
+  for (const auto& [format, change] : changes) {
+    const std::string text = replaced(treeText(tree, format), change.first, change.second);
+    EXPECT_THAT(text, ::testing::Not(HasSubstr("ending")));
+    EXPECT_EQ(readTree(folder.put("old." + format, text)).tree[0].ending, Ending::None) << format;
+  }
+}
+
+TEST(ReadTree, RefusesAnEndingThatIsNone) {
+  const TempFolder folder;
+  AirwayTree tree;
+  tree.add({-1, Vec3(0, 0, 0), Vec3(0, 0, -1), 0.1});
+  const std::string text = replaced(treeText(tree, "json"), "\"ending\":0", "\"ending\":4");
+  try {
+    readTree(folder.put("tree.json", text));
+    ADD_FAILURE() << "an ending of 4 was read";
+  } catch (const InvalidInput& error) {
+    EXPECT_THAT(error.what(), HasSubstr("4 is no ending"));
+  }
+}
+
 TEST(TreeVtp, NamesItsArraysAsDocumented) {
   const std::string text = treeText(sampleTree(), "vtp", {{"method", "centroid"}});
-  for (const char* name :
-       {"id", "parent", "lobe", "side", "segment", "generation", "horsfield_order",
-        "strahler_order", "length_mm", "diameter_mm", "flow_fraction", "terminal", "origin",
-        "supplied_ml", "radius", "method", "SPACE", "units"}) {
+  for (const char* name : {"id",
+                           "parent",
+                           "lobe",
+                           "side",
+                           "segment",
+                           "generation",
+                           "horsfield_order",
+                           "strahler_order",
+                           "length_mm",
+                           "diameter_mm",
+                           "flow_fraction",
+                           "region_ml",
+                           "terminal",
+                           "origin",
+                           "ending",
+                           "supplied_ml",
+                           "radius",
+                           "method",
+                           "SPACE",
+                           "units"}) {
     EXPECT_THAT(text, HasSubstr("Name=\"" + std::string(name) + "\""));
   }
 }

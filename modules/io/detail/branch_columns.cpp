@@ -9,6 +9,7 @@ BranchColumns::BranchColumns(const AirwayTree& tree)
       horsfieldOrder(horsfieldOrders(tree)),
       strahlerOrder(strahlerOrders(tree)),
       flowFraction(flowFractions(tree)),
+      regionMl(servedMl(tree)),
       terminal(tree.size(), 1) {
   for (const Branch& branch : tree) {
     if (branch.parent >= 0) terminal[static_cast<std::size_t>(branch.parent)] = 0;

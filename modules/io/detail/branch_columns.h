@@ -12,7 +12,8 @@ struct BranchColumns {
   std::vector<int> horsfieldOrder;
   std::vector<int> strahlerOrder;
   std::vector<double> flowFraction;
-  std::vector<char> terminal;  ///< 1 for a branch without children
+  std::vector<double> regionMl;  ///< lung served at and below the branch
+  std::vector<char> terminal;    ///< 1 for a branch without children
 
   explicit BranchColumns(const AirwayTree& tree);
 };

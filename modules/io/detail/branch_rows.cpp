@@ -164,6 +164,16 @@ Origin originOfValue(double value, const std::string& where) {
   return static_cast<Origin>(number);
 }
 
+Ending endingOfValue(double value, const std::string& where) {
+  const int number = byteOf(value);
+  if (number < 0 || number > 3) {
+    throw InvalidInput(where + ": " + numberText(value) +
+                       " is no ending; use 0 none, 1 small enough, 2 left its region, 3 could not "
+                       "be divided");
+  }
+  return static_cast<Ending>(number);
+}
+
 std::uint8_t segmentOfValue(double value, const std::string& where) {
   const int number = byteOf(value);
   if (number < 0) {

@@ -33,6 +33,9 @@ Lobe lobeOfValue(double value, const std::string& where);
 /// The value as an origin. @throws InvalidInput naming `where` for a value that is none
 Origin originOfValue(double value, const std::string& where);
 
+/// The value as an ending. @throws InvalidInput naming `where` for a value that is none
+Ending endingOfValue(double value, const std::string& where);
+
 /// The value as a segment, 0 to 255. @throws InvalidInput naming `where` for a value that is none
 std::uint8_t segmentOfValue(double value, const std::string& where);
 
