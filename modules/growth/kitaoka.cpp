@@ -125,7 +125,9 @@ class Grower {
   /// Searches the flow threshold that gives the wanted number of terminals.
   Forest aimAtTerminals() const {
     const auto wanted = static_cast<double>(options_.terminals);
-    double threshold = std::min(0.5, TerminalsTimesThreshold / wanted);
+    // What divides for its reach adds up to half as many again.
+    const double expected = TerminalsTimesThreshold * (options_.reach > 0.0 ? 1.5 : 1.0);
+    double threshold = std::min(0.5, expected / wanted);
     // Terminals go with a power of the threshold, about -1; two trials tell it better.
     double power = -1.0;
     double lastThreshold = 0.0;

@@ -129,7 +129,7 @@ void RegionGrower::addDaughter(const Sprout& parent, const Division& division, c
                                                              branch.diameterMm, key, large);
   const Vec3& start = parent.stem.tip;
   const Vec3 tip = start + length * direction;
-  const RescuedTip place = placed(room, start, tip, branch.diameterMm, large);
+  const RescuedTip place = placed(room, parent.stem, tip, branch.diameterMm, large);
   if (place.by.has_value()) {
     branch.tip = *place.by;
     branches.push_back(branch);
@@ -202,8 +202,9 @@ bool RegionGrower::reachesTooFar(const DaughterRoom& room) const {
 
 /// Where a daughter ends whom the rules lead to `tip`: there in the paper, else rescued, centred
 /// and kept inside as the options say.
-RescuedTip RegionGrower::placed(const DaughterRoom& room, const Vec3& start, const Vec3& tip,
+RescuedTip RegionGrower::placed(const DaughterRoom& room, const Stem& parent, const Vec3& tip,
                                 double diameterMm, bool divides) {
+  const Vec3& start = parent.tip;
   const bool inside = room.staysInside(start, tip);
   if (divides) {
     if (inside && (options_.rescue == Switch::Off || room.contains(tip))) return {tip};
@@ -224,7 +225,7 @@ RescuedTip RegionGrower::placed(const DaughterRoom& room, const Vec3& start, con
   }
   if (inside) return {tip};
   ++counts_.keptInside;
-  return {insideTip(room, start, tip)};
+  return {insideTip(room, start, tip, parent.direction)};
 }
 
 /// Where rule 8 begins, with the random change of the paper's discussion.

@@ -94,7 +94,7 @@ class RegionGrower {
                           double diameterMm, std::uint64_t key, bool divides) const;
   bool reachesTooFar(const DaughterRoom& room) const;
 
-  RescuedTip placed(const DaughterRoom& room, const Vec3& start, const Vec3& tip, double diameterMm,
+  RescuedTip placed(const DaughterRoom& room, const Stem& parent, const Vec3& tip, double diameterMm,
                     bool divides);
   double rotationDeg(const Sprout& sprout) const;
 

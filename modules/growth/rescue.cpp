@@ -83,19 +83,21 @@ std::optional<RescuedTip> centreTip(const DaughterRoom& room, const Vec3& start)
   return ledRound(room, start);
 }
 
-Vec3 insideTip(const DaughterRoom& room, const Vec3& start, const Vec3& wanted) {
+Vec3 insideTip(const DaughterRoom& room, const Vec3& start, const Vec3& wanted,
+               const Vec3& parentDirection) {
   if (room.staysInside(start, wanted)) return wanted;
-  const double length = (wanted - start).norm();
-  const Vec3 direction = (wanted - start) / length;
-  double reach = 0.9 * room.parent.organ->exitDistance(start, direction, length);
-  // A segment counts as outside within rounding of the wall: stay clear of it.
   constexpr int MostTrials = 20;
-  for (int trial = 0; trial < MostTrials; ++trial) {
-    const Vec3 tip = start + reach * direction;
-    if (room.staysInside(start, tip)) return tip;
-    reach *= 0.7;
+  constexpr double LeastMm = 0.05;
+  const double length = (wanted - start).norm();
+  for (const Vec3& direction : {Vec3((wanted - start) / length), Vec3(-parentDirection)}) {
+    double reach = 0.7 * room.parent.organ->exitDistance(start, direction, length);
+    for (int trial = 0; trial < MostTrials && reach > LeastMm; ++trial) {
+      const Vec3 tip = start + reach * direction;
+      if (room.staysInside(start, tip)) return tip;
+      reach *= 0.7;
+    }
   }
-  return start + reach * direction;
+  return start - LeastMm * parentDirection;
 }
 
 }  // namespace pneuma

@@ -50,7 +50,10 @@ std::optional<RescuedTip> rescuedTip(const DaughterRoom& room, const Vec3& start
 /// of a point that sees both.
 std::optional<RescuedTip> centreTip(const DaughterRoom& room, const Vec3& start);
 
-/// `wanted`, or the part of the way there that stays inside the organ.
-Vec3 insideTip(const DaughterRoom& room, const Vec3& start, const Vec3& wanted);
+/// `wanted`, or part of the way there that stays inside the organ; where the wall leaves no way at
+/// all, a short way back beside the parent.
+/// @param parentDirection unit vector towards `start`
+Vec3 insideTip(const DaughterRoom& room, const Vec3& start, const Vec3& wanted,
+               const Vec3& parentDirection);
 
 }  // namespace pneuma
