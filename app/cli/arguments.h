@@ -110,12 +110,16 @@ void addFields(CLI::App& app, Options& options) {
   forEachField<Options>([&](const auto& field) { addField(app, options, field); });
 }
 
-/// Sets a field from "key=value". @throws InvalidOption
+/// Sets a field from "key=value".
+/// @param option that the assignment was given to, for the message
+/// @throws InvalidOption
 template <HasFields Options>
-void setFromAssignment(Options& options, std::string_view assignment) {
+void setFromAssignment(Options& options, std::string_view assignment,
+                       const std::string& option = "--set") {
   const std::size_t equals = assignment.find('=');
   if (equals == std::string_view::npos || equals == 0) {
-    throw InvalidOption("--set needs key=value, but '" + std::string(assignment) + "' was given");
+    throw InvalidOption(option + " needs key=value, but '" + std::string(assignment) +
+                        "' was given");
   }
   setOption(options, assignment.substr(0, equals), assignment.substr(equals + 1));
 }

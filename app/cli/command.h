@@ -46,6 +46,7 @@ Run declareRender(CLI::App& app, CommonOptions& common);
 Run declareRepair(CLI::App& app, CommonOptions& common);
 Run declareReproduce(CLI::App& app, CommonOptions& common);
 Run declareSample(CLI::App& app, CommonOptions& common);
+Run declareStudy(CLI::App& app, CommonOptions& common);
 Run declareVersion(CLI::App& app, CommonOptions& common);
 
 }  // namespace pneuma::cli

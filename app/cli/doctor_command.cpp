@@ -8,6 +8,7 @@
 #include "cli/command.h"
 #include "cli/library_versions.h"
 #include "cli/text.h"
+#include "pipeline/organs.h"
 #include "pipeline/report.h"
 #include "render/picture.h"
 

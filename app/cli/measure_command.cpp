@@ -9,7 +9,9 @@
 #include "cli/text.h"
 #include "geometry/surface_domain.h"
 #include "io/tree_file.h"
+#include "pipeline/efficiency_report.h"
 #include "pipeline/measure_report.h"
+#include "pipeline/organs.h"
 #include "pipeline/report.h"
 
 namespace pneuma::cli {
@@ -19,6 +21,7 @@ struct MeasureArguments {
   std::filesystem::path tree;
   std::vector<std::filesystem::path> domain;
   std::string organ;
+  OrganOptions organOptions;
   std::uint64_t seed = 1;
   bool csv = false;
 
@@ -31,15 +34,19 @@ struct MeasureArguments {
 /// The lobes as measured against, with the files they came from.
 struct Regions {
   std::vector<LobeRegion> lobes;
+  EfficiencyCubes cubes;
   std::vector<InputFile> inputs;
   std::vector<std::string> warnings;
 };
 
 Regions regionsOf(const MeasureArguments& arguments, const Progress& progress) {
-  if (!arguments.organ.empty()) return {*openOrgan(arguments.organ).regions, {}, {}};
+  if (!arguments.organ.empty()) {
+    const LungModel organ = openOrgan(arguments.organ, arguments.organOptions);
+    return {*organ.regions, organ.cubes, {}, {}};
+  }
   if (arguments.domain.empty()) return {};
   const LungModel model = openLobes(arguments.domain, progress);
-  Regions regions{{}, model.inputs, model.warnings};
+  Regions regions{{}, model.cubes, model.inputs, model.warnings};
   for (const LobeSurface& surface : *model.surfaces) {
     if (!surface.health.fitToGrow()) {
       throw InvalidInput("'" + surface.name +
@@ -57,6 +64,7 @@ Json atMostZero(const std::string& id, std::size_t value) {
 struct Measured {
   Morphometry whole;
   std::map<Lobe, Morphometry> byLobe;
+  std::optional<Efficiency> efficiency;  ///< where lobes are known
 };
 
 Json measureReport(const MeasureArguments& arguments, const TreeFile& file, const Regions& regions,
@@ -64,7 +72,10 @@ Json measureReport(const MeasureArguments& arguments, const TreeFile& file, cons
   std::vector<InputFile> inputs = {inputFile(arguments.tree)};
   inputs.insert(inputs.end(), regions.inputs.begin(), regions.inputs.end());
   Json parameters = Json::object();
-  if (!arguments.organ.empty()) parameters["organ"] = arguments.organ;
+  if (!arguments.organ.empty()) {
+    parameters["organ"] = arguments.organ;
+    parameters.update(toJson(arguments.organOptions));
+  }
   Json report = reportEnvelope("pneuma/measure/1", inputs, parameters, arguments.seed);
   report["checks"].push_back(atMostZero("TREE-PROBLEMS", problems(file.tree).size()));
   if (!regions.lobes.empty()) {
@@ -77,6 +88,7 @@ Json measureReport(const MeasureArguments& arguments, const TreeFile& file, cons
   report["branches"] = file.tree.size();
   report["terminals"] = terminalCount(file.tree);
   report["morphometry"] = toJson(measured.whole);
+  if (measured.efficiency.has_value()) report["efficiency"] = toJson(*measured.efficiency);
   report["published"] = publishedJson(measured.whole);
   report["lobes"] = Json::object();
   for (const auto& [lobe, morphometry] : measured.byLobe) {
@@ -85,23 +97,37 @@ Json measureReport(const MeasureArguments& arguments, const TreeFile& file, cons
   return report;
 }
 
+std::string textOf(const Measured& measured) {
+  std::string text = measureText(measured.whole, measured.byLobe);
+  if (measured.efficiency.has_value()) text += "\n" + efficiencyText(*measured.efficiency);
+  return text;
+}
+
 ExitCode runMeasure(const MeasureArguments& arguments, const CommonOptions& common,
                     const Progress& progress) {
   if (arguments.csv && common.json) throw InvalidOption("measure takes --csv or --json, not both");
   if (!arguments.domain.empty() && !arguments.organ.empty()) {
     throw InvalidOption("measure takes --domain or --organ, not both");
   }
+  if (arguments.organ.empty() && arguments.organOptions.sizeMl > 0.0) {
+    throw InvalidOption("--organ-size is for a built-in organ; name one with --organ");
+  }
   if (!common.output.empty()) requireOutput(common.output, common.existing());
   const TreeFile file = readTree(arguments.tree);
   const Regions regions = regionsOf(arguments, progress.part(0.0, 0.3, "reading"));
   const MorphometryInput input{.lobes = regions.lobes, .seed = arguments.seed};
-  const Measured measured{measure(file.tree, input, progress.part(0.3, 0.7, "measuring")),
-                          measureByLobe(file.tree, input, progress.part(0.7, 1.0, "measuring"))};
+  Measured measured{measure(file.tree, input, progress.part(0.3, 0.7, "measuring")),
+                    measureByLobe(file.tree, input, progress.part(0.7, 0.95, "measuring")),
+                    {}};
+  if (!regions.lobes.empty()) {
+    measured.efficiency =
+        efficiency(file.tree, regions.lobes, regions.cubes, progress.part(0.95, 1.0, "measuring"));
+  }
   progress.report(1.0);
   const Json report = measureReport(arguments, file, regions, measured);
   const std::string text = common.json     ? jsonText(report)
                            : arguments.csv ? measureCsv(measured.whole, measured.byLobe)
-                                           : measureText(measured.whole, measured.byLobe);
+                                           : textOf(measured);
   if (!common.quiet) printWarnings(report.at("warnings").get<std::vector<std::string>>());
   if (common.output.empty()) {
     std::cout << text;
@@ -126,6 +152,7 @@ Run declareMeasure(CLI::App& app, CommonOptions& common) {
       ->type_name("FILE");
   app.add_option("--organ", arguments->organ, "A built-in organ instead of surfaces.")
       ->type_name(choiceType(organNames()));
+  addFields(app, arguments->organOptions);
   addFields(app, *arguments);
   app.add_flag("--csv", arguments->csv, "Print the figures as CSV.");
   addJson(app, common);

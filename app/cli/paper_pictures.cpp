@@ -1,78 +1,50 @@
 #include "cli/paper_pictures.h"
 
-#include "cli/model_scene.h"
+#include <algorithm>
+#include <array>
+
+#include "cli/paper_figure.h"
 #include "core/error.h"
 
 namespace pneuma::cli {
 namespace {
 
-constexpr int FigureWidth = 900;
-constexpr int FigureHeight = 900;
-constexpr int StageWidth = 480;
-constexpr int StageHeight = 480;
-constexpr std::array<int, 6> Stages = {2, 3, 6, 8, 12, 14};
+struct PaperFigures {
+  std::string_view paper;
+  std::span<const PaperFigure> (*figures)();
+};
 
-/// The tree alone, or the surfaces alone: the paper's figures show one of them at a time.
-LungModel treeOnly(LungModel model) {
-  model.surfaces = nullptr;
-  return model;
-}
+constexpr std::array<PaperFigures, 2> Papers = {
+    {{"huang-2004", huangFigures}, {"kitaoka-1999", kitaokaFigures}}};
 
-LungModel surfacesOnly(LungModel model) {
-  model.central = nullptr;
-  model.growth = nullptr;
-  model.opened = nullptr;
-  return model;
-}
-
-Picture drawn(const LungModel& model, const SceneOptions& options, int width, int height) {
-  Scene scene;
-  scene.setOptions(options);
-  showModel(scene, model);
-  scene.look(viewDirection("anterior"));
-  return renderPicture(scene, width, height);
-}
-
-/// All stages seen from the same place, so that one sees the tree grow.
-Picture stagesSheet(const LungModel& model, const SceneOptions& look, const Progress& progress) {
-  Scene scene;
-  SceneOptions options = look;
-  options.annotations = false;
-  scene.setOptions(options);
-  showModel(scene, model);
-  scene.look(viewDirection("anterior"));
-  std::vector<Picture> stages;
-  std::vector<std::string> captions;
-  for (const int stage : Stages) {
-    progress.report(static_cast<double>(stages.size()) / static_cast<double>(Stages.size()));
-    options.maxGeneration = stage;
-    scene.setOptions(options);
-    stages.push_back(renderPicture(scene, StageWidth, StageHeight));
-    captions.push_back("up to generation " + std::to_string(stage));
-  }
-  return contactSheet(stages, 3, captions);
+std::span<const PaperFigure> figuresOf(std::string_view paper) {
+  return std::ranges::find(Papers, paper, &PaperFigures::paper)->figures();
 }
 
 }  // namespace
 
-std::vector<PaperPicture> paperPictures(const LungModel& model, const Progress& progress) {
-  SceneOptions look;
-  look.palette = Palette::Huang;
-  look.background = Background::White;
-  SceneOptions lobes = look;
-  lobes.lobeOpacity = 1.0;
-  const auto [fig1, fig4, fig5] = paperPictureNames();
+const LungModel& figureModel(const Reproduction& reproduction, std::string_view name) {
+  return std::ranges::find(reproduction.figures, name, &ReproducedFigure::name)->model;
+}
 
+std::vector<std::string_view> paperPictureNames(std::string_view paper) {
+  std::vector<std::string_view> names;
+  for (const PaperFigure& figure : figuresOf(paper)) names.push_back(figure.file);
+  return names;
+}
+
+std::vector<PaperPicture> paperPictures(const Reproduction& reproduction,
+                                        const Progress& progress) {
+  const std::span<const PaperFigure> figures = figuresOf(reproduction.paper);
+  const double share = 1.0 / static_cast<double>(figures.size());
   std::vector<PaperPicture> pictures;
-  if (model.surfaces) {
-    pictures.push_back(
-        {std::string(fig1), drawn(surfacesOnly(model), lobes, FigureWidth, FigureHeight)});
+  for (const PaperFigure& figure : figures) {
+    const double from = share * static_cast<double>(pictures.size());
+    const Progress part = progress.part(from, from + share, "drawing the figures");
+    part.report(0.0);
+    pictures.push_back({std::string(figure.file), figure.draw(reproduction, part)});
+    part.report(1.0);
   }
-  const LungModel tree = treeOnly(model);
-  pictures.push_back(
-      {std::string(fig4), stagesSheet(tree, look, progress.part(0.2, 0.8, "drawing the figures"))});
-  pictures.push_back({std::string(fig5), drawn(tree, look, FigureWidth, FigureHeight)});
-  progress.report(1.0);
   return pictures;
 }
 

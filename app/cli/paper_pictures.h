@@ -1,12 +1,11 @@
 #pragma once
 
-#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "core/progress.h"
-#include "pipeline/lung_model.h"
+#include "pipeline/reproduce.h"
 #include "render/picture.h"
 
 namespace pneuma::cli {
@@ -16,15 +15,13 @@ struct PaperPicture {
   Picture picture;
 };
 
-constexpr std::array<std::string_view, 3> paperPictureNames() {
-  return {"fig1.png", "fig4.png", "fig5.png"};
-}
+/// File names of the figures that can be drawn of a paper. @pre the paper can be reproduced
+std::vector<std::string_view> paperPictureNames(std::string_view paper);
 
-/// The figures of Huang 2004 made again from our own tree: the lobes (Fig. 1), the tree up to
-/// generation 2, 3, 6, 8, 12 and 14 on one sheet (Fig. 4), the whole tree from the front with the
-/// upper lobe red, the middle one green and the lower one blue (Fig. 5).
+/// The figures of a paper made again from our own trees.
+/// @pre the reproduction kept its figures
 /// @throws NoRendering, Cancelled
-std::vector<PaperPicture> paperPictures(const LungModel& model, const Progress& progress);
+std::vector<PaperPicture> paperPictures(const Reproduction& reproduction, const Progress& progress);
 
 /// @throws NoRendering saying how to get a display
 void requireDisplay();

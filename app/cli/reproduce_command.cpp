@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <iostream>
 #include <memory>
 
@@ -14,14 +15,27 @@ namespace {
 
 struct ReproduceArguments {
   std::string paper;
+  std::string table;
   std::filesystem::path pictures;
 };
 
+/// The tables of all papers, each once.
+std::vector<std::string_view> tableNames() {
+  std::vector<std::string_view> names;
+  for (const std::string_view paper : reproduciblePapers()) {
+    for (const std::string_view table : reproducibleTables(paper)) {
+      if (std::ranges::find(names, table) == names.end()) names.push_back(table);
+    }
+  }
+  return names;
+}
+
 void requireUsable(const ReproduceArguments& arguments, const CommonOptions& common) {
+  requireReproducible(arguments.paper, arguments.table);
   if (arguments.pictures.empty()) return;
   std::error_code error;
   if (std::filesystem::exists(arguments.pictures, error)) {
-    for (const std::string_view name : paperPictureNames()) {
+    for (const std::string_view name : paperPictureNames(arguments.paper)) {
       requirePngOutput(arguments.pictures / name, common.existing());
     }
   } else {
@@ -32,19 +46,16 @@ void requireUsable(const ReproduceArguments& arguments, const CommonOptions& com
 
 ExitCode runReproduce(const ReproduceArguments& arguments, const CommonOptions& common,
                       const Progress& progress) {
-  const auto known = reproduciblePapers();
-  if (std::find(known.begin(), known.end(), arguments.paper) == known.end()) {
-    (void)reproduce(arguments.paper);  // says which papers there are
-  }
   requireUsable(arguments, common);
   const bool draw = !arguments.pictures.empty();
   const Reproduction reproduction =
-      reproduce(arguments.paper, progress.part(0.0, draw ? 0.7 : 1.0, "repeating the experiment"));
+      reproduce(arguments.paper, {.table = arguments.table, .figures = draw},
+                progress.part(0.0, draw ? 0.7 : 1.0, "repeating the experiment"));
   OutputSet outputs;
   if (draw) {
     outputs.addFolder(arguments.pictures);
     for (const PaperPicture& picture :
-         paperPictures(reproduction.model, progress.part(0.7, 1.0, "drawing the figures"))) {
+         paperPictures(reproduction, progress.part(0.7, 1.0, "drawing the figures"))) {
       outputs.add(arguments.pictures / picture.name);
       writeFile(arguments.pictures / picture.name, pngText(picture.picture), common.existing());
     }
@@ -62,6 +73,8 @@ Run declareReproduce(CLI::App& app, CommonOptions& common) {
   app.add_option("PAPER", arguments->paper, "The paper.")
       ->type_name(choiceType(reproduciblePapers()))
       ->required();
+  app.add_option("--table", arguments->table, "Only this table of the paper.")
+      ->type_name(choiceType(tableNames()));
   app.add_option("--pictures", arguments->pictures,
                  "Draw the paper's figures into this folder; made if it is not there.")
       ->type_name("FOLDER");

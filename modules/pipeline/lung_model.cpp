@@ -1,12 +1,10 @@
 #include "pipeline/lung_model.h"
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <cmath>
 
 #include "anatomy/central_airways.h"
-#include "anatomy/right_lung.h"
 #include "core/error.h"
 #include "core/parallel.h"
 #include "geometry/surface_domain.h"
@@ -119,8 +117,6 @@ std::shared_ptr<const AirwayTree> asCentral(AirwayTree tree) {
   return std::make_shared<const AirwayTree>(std::move(tree));
 }
 
-constexpr std::array<std::string_view, 1> Organs = {"right-lung"};
-
 }  // namespace
 
 std::shared_ptr<const AirwayTree> treeOf(const LungModel& model) {
@@ -231,30 +227,31 @@ LungModel openFiles(std::span<const fs::path> paths, const Progress& progress) {
   return model;
 }
 
-std::span<const std::string_view> organNames() { return Organs; }
-
-LungModel openOrgan(std::string_view name) {
-  if (name != Organs[0]) {
-    detail::throwUnknownChoice("the organ", name, {Organs.begin(), Organs.end()});
-  }
-  RightLung lung = rightLung();
-  LungModel model;
-  model.regions = std::make_shared<const std::vector<LobeRegion>>(std::move(lung.lobes));
-  model.central = std::make_shared<const AirwayTree>(std::move(lung.central));
-  return model;
+std::uint64_t seedOf(const GrowthOptions& options) {
+  return std::visit([](const auto& o) { return o.seed; }, options);
 }
 
-LungModel grow(const LungModel& model, const GrowthOptions& options, const Progress& progress) {
+GrowthOptions withSeed(GrowthOptions options, std::uint64_t seed) {
+  std::visit([seed](auto& o) { o.seed = seed; }, options);
+  return options;
+}
+
+LungModel readyToGrow(const LungModel& model) {
   if (!model.regions && (!model.surfaces || model.surfaces->empty())) {
     throw InvalidInput("there is no lobe to grow in; open the surfaces of the lobes first");
   }
   LungModel next = model;
-  auto start = std::chrono::steady_clock::now();
-  progress.part(0.0, 0.1, "preparing the lobes").report(0.0);
   if (!next.regions) next.regions = regionsOf(*next.surfaces);
   if (!next.central) {
     next.central = std::make_shared<const AirwayTree>(templateAirways(*next.regions));
   }
+  return next;
+}
+
+LungModel grow(const LungModel& model, const GrowthOptions& options, const Progress& progress) {
+  auto start = std::chrono::steady_clock::now();
+  progress.part(0.0, 0.1, "preparing the lobes").report(0.0);
+  LungModel next = readyToGrow(model);
   auto growth = std::make_shared<Growth>();
   growth->options = options;
   growth->domainSeconds = secondsSince(start);
@@ -262,8 +259,12 @@ LungModel grow(const LungModel& model, const GrowthOptions& options, const Progr
   growth->result =
       growAirways(*next.central, *next.regions, options, progress.part(0.1, 0.9, "growing"));
   growth->growSeconds = secondsSince(start);
-  progress.part(0.9, 1.0, "checking the tree").report(0.0);
-  growth->outside = outsideTheirLobe(growth->result.tree, *next.regions);
+  const AirwayTree& tree = growth->result.tree;
+  const Progress checking = progress.part(0.9, 1.0, "checking the tree");
+  checking.report(0.0);
+  growth->outside = outsideTheirLobe(tree, *next.regions);
+  growth->efficiency =
+      efficiency(tree, *next.regions, next.cubes, checking.part(0.5, 1.0, "checking the tree"));
   next.growth = std::move(growth);
   progress.report(1.0);
   return next;

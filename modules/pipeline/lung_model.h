@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "anatomy/airway_tree.h"
+#include "anatomy/efficiency.h"
 #include "anatomy/validation.h"
 #include "core/progress.h"
 #include "core/triangle_mesh.h"
@@ -34,6 +35,7 @@ struct Growth {
   GrowthOptions options;
   GrowthResult result;
   Outside outside;
+  Efficiency efficiency;
   double domainSeconds = 0.0;
   double growSeconds = 0.0;
 };
@@ -46,6 +48,7 @@ struct LungModel {
   std::shared_ptr<const AirwayTree> central;                 ///< null if there are no airways yet
   std::shared_ptr<const Growth> growth;                      ///< null until grown
   std::shared_ptr<const AirwayTree> opened;  ///< a tree that was opened to be looked at
+  EfficiencyCubes cubes;  ///< in which the paper's C_n is counted
   std::vector<InputFile> inputs;
   std::vector<std::string> warnings;  ///< whole sentences for the user
   double readSeconds = 0.0;
@@ -66,13 +69,15 @@ LungModel withCentral(const LungModel& model, const std::filesystem::path& path)
 /// branches become `opened`, others `central`.
 LungModel openFiles(std::span<const std::filesystem::path> paths, const Progress& progress = {});
 
-/// Names of the built-in organs ("right-lung").
-std::span<const std::string_view> organNames();
+/// The seed of everything random in a growth.
+std::uint64_t seedOf(const GrowthOptions& options);
+GrowthOptions withSeed(GrowthOptions options, std::uint64_t seed);
 
-/// A built-in organ as a model that can be grown in. @throws InvalidOption for an unknown name
-LungModel openOrgan(std::string_view name);
+/// The same with regions and template airways where they are missing.
+/// @throws InvalidInput if there is no lobe, or a surface is not fit to grow in
+LungModel readyToGrow(const LungModel& model);
 
-/// Grows a tree: builds regions and template airways where they are missing, grows, checks.
+/// Grows a tree: makes the model ready, grows, checks, finds the efficiency.
 /// Returns a new model with the growth replaced. @throws as growAirways()
 LungModel grow(const LungModel& model, const GrowthOptions& options, const Progress& progress = {});
 

@@ -5,6 +5,7 @@
 #include <sys/resource.h>
 
 #include "core/units.h"
+#include "pipeline/efficiency_report.h"
 #include "pipeline/measure_report.h"
 #include "version.h"
 
@@ -13,10 +14,6 @@ namespace {
 
 Json optionsJson(const GrowthOptions& options) {
   return std::visit([](const auto& o) { return toJson(o); }, options);
-}
-
-std::uint64_t seedOf(const GrowthOptions& options) {
-  return std::visit([](const auto& o) { return o.seed; }, options);
 }
 
 Json check(std::string_view id, double value, double limit) {
@@ -101,6 +98,7 @@ Json growthReport(const LungModel& model, const Morphometry& whole,
       model.readSeconds + growth.domainSeconds + growth.growSeconds + measureSeconds + writeSeconds;
   report["peak_memory_mb"] = peakMemoryMb();
   report["lobes"] = lobesJson(model, byLobe);
+  report["efficiency"] = toJson(growth.efficiency);
   report["morphometry"] = toJson(whole);
   return report;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -11,39 +12,86 @@
 
 namespace pneuma {
 
+/// What a measured figure is held to beside the published one.
+struct Limit {
+  enum class Of {
+    Relative,    ///< |measured / published - 1|
+    Difference,  ///< |measured - published|
+    Range,       ///< measured between `low` and `high`
+    Nothing,     ///< shown, not judged
+  };
+
+  Of of = Of::Nothing;
+  double most = 0.0;  ///< of what `of` says
+  double low = 0.0;
+  double high = 0.0;
+
+  static Limit relative(double share) { return {Of::Relative, share, 0.0, 0.0}; }
+
+  static Limit difference(double most) { return {Of::Difference, most, 0.0, 0.0}; }
+
+  static Limit range(double low, double high) { return {Of::Range, 0.0, low, high}; }
+
+  bool holds(double published, double measured) const;
+};
+
 /// One figure of a paper beside ours.
 struct ReproducedRow {
   std::string row;       ///< as in the paper's table, for example "0.41"
   std::string quantity;  ///< for example "terminals"
   double published = 0.0;
   double measured = 0.0;
-  double relative = 0.0;  ///< measured / published - 1
-  double limit = 0.0;     ///< of |relative|, or of |measured - published| where `absolute`
-  bool absolute = false;
-  bool ok = false;
+  Limit limit;
+  std::string note;  ///< why the limit is wide, or what the paper says in words; may be empty
+
+  /// measured / published - 1; 0 if the published figure is 0
+  double relative() const { return published != 0.0 ? measured / published - 1.0 : 0.0; }
+
+  bool ok() const { return limit.holds(published, measured); }
 };
 
 struct ReproducedTable {
-  std::string name;
+  std::string id;    ///< by which it is asked for: "1", "thorax"
+  std::string name;  ///< its heading
   std::vector<ReproducedRow> rows;
+};
+
+/// A grown organ that a figure of the paper shows.
+struct ReproducedFigure {
+  std::string name;  ///< "6a"
+  LungModel model;
 };
 
 struct Reproduction {
   std::string paper;  ///< "huang-2004"
   std::string citation;
   std::vector<ReproducedTable> tables;
-  LungModel model;  ///< the grown organ, for the pictures
+  std::vector<ReproducedFigure> figures;
 
   bool ok() const;
 };
 
+struct ReproduceOptions {
+  std::string table;     ///< only this one; empty: all
+  bool figures = false;  ///< keep the organs that the paper's figures show
+};
+
 /// Names of the papers that can be reproduced.
-std::span<const std::string_view> reproduciblePapers();
+std::vector<std::string_view> reproduciblePapers();
 
-/// @throws InvalidOption for an unknown paper; Cancelled
-Reproduction reproduce(std::string_view paper, const Progress& progress = {});
+/// The tables of a paper that can be asked for. @throws InvalidOption for an unknown paper
+std::vector<std::string_view> reproducibleTables(std::string_view paper);
 
-/// "pneuma/reproduce/1"
+/// @throws InvalidOption for an unknown paper, or a table that it does not have; empty: all tables
+void requireReproducible(std::string_view paper, std::string_view table);
+
+/// Repeats the experiments of a paper. Whatever can be grown at the same time is; the result does
+/// not depend on the number of threads.
+/// @throws InvalidOption for an unknown paper, or a table that it does not have; Cancelled
+Reproduction reproduce(std::string_view paper, const ReproduceOptions& options = {},
+                       const Progress& progress = {});
+
+/// "pneuma/reproduce/1" (resources/schemas/reproduce.schema.json)
 Json toJson(const Reproduction& reproduction);
 
 /// Tables for people.

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "anatomy/branch_order.h"
+#include "anatomy/segment.h"
 #include "render/colour_map.h"
 
 namespace pneuma {
@@ -64,6 +65,12 @@ BranchColours colouredByValue(const AirwayTree& tree, const std::vector<bool>& v
   return result;
 }
 
+/// "RB1" ... "LB10"; the number of a segment that has no name.
+std::string segmentLabel(std::uint8_t segment) {
+  const std::string_view name = segmentName(segment);
+  return name.empty() ? std::to_string(segment) : std::string(name);
+}
+
 BranchColours colouredBySegment(const AirwayTree& tree, const std::vector<bool>& visible,
                                 Background background) {
   BranchColours result;
@@ -73,9 +80,13 @@ BranchColours colouredBySegment(const AirwayTree& tree, const std::vector<bool>&
     if (visible[i]) present.insert(tree[i].segment);
   }
   result.legend.title = "Segment";
+  const bool unnamed = present.erase(0) > 0;  // the airways before the segments: named last
   for (const std::uint8_t segment : present) {
-    const std::string label = segment == 0 ? "none" : std::to_string(segment);
+    const std::string label = segmentLabel(segment);
     result.legend.chips.push_back({label, label, onBackground(segmentColour(segment), background)});
+  }
+  if (unnamed) {
+    result.legend.chips.push_back({"none", "none", onBackground(segmentColour(0), background)});
   }
   return result;
 }

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "anatomy/segment.h"
+
 namespace pneuma {
 namespace {
 
@@ -68,7 +70,11 @@ Rgb airwayColour(Lobe lobe, Palette palette) {
 
 Rgb segmentColour(std::uint8_t segment) {
   if (segment == 0) return Neutral;
-  return rgbOfHex(SegmentColours[(segment - 1U) % SegmentColours.size()]);
+  const auto named = segments();
+  const auto found = std::ranges::find(named, segment, &Segment::number);
+  const std::size_t place =
+      found != named.end() ? static_cast<std::size_t>(found - named.begin()) : segment - 1U;
+  return rgbOfHex(SegmentColours[place % SegmentColours.size()]);
 }
 
 Rgb scaleColour(double t) {

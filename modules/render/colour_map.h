@@ -14,7 +14,8 @@ Rgb lobeColour(Lobe lobe, Palette palette);
 /// The colour of airways in a lobe: 75 % the lobe's, 25 % ivory; ivory where they are central.
 Rgb airwayColour(Lobe lobe, Palette palette);
 
-/// One of 18 colours for a bronchopulmonary segment 1 .. 18 (further ones start again); grey for 0.
+/// A colour of its own for each of the 18 bronchopulmonary segments (anatomy/segment.h); numbers
+/// that are none share these, grey for 0.
 Rgb segmentColour(std::uint8_t segment);
 
 /// The colour at `t` in [0, 1] of the continuous scale, violet over teal to yellow. Its lightness

@@ -15,8 +15,25 @@ refuses "no input" 2 "surfaces.*--organ" grow -o t.vtp
 refuses "surfaces and an organ" 2 "not both" grow ball.obj --organ right-lung -o t.vtp
 refuses "an option without its value" 2 "--output|-o" grow ball.obj -o
 refuses "an unknown organ" 2 "organ.*right-lung.*'spleen'" grow --organ spleen -o t.vtp
+refuses "an organ of negative size" 2 "organ-size.*\[0, 1(00000|e\+05)\] ml.*-5" grow --organ simple --organ-size -5 -o t.vtp
+refuses "an organ of absurd size" 2 "organ-size.*\[0, 1(00000|e\+05)\] ml.*1e9" grow --organ simple --organ-size 1e9 -o t.vtp
+refuses "an organ smaller than any" 4 "organ of 0.5 ml is not possible.*1 to 100000 ml" grow --organ cube --organ-size 0.5 -o t.vtp
+refuses "an organ size that is no number" 2 "organ-size.*number.*'big'" grow --organ thorax --organ-size big -o t.vtp
+refuses "a size without an organ" 2 "organ-size is for a built-in organ" grow ball.obj --organ-size 500 -o t.vtp
+refuses "a table without an organ" 2 "airway-table is for a built-in organ" grow ball.obj --airway-table a.json -o t.vtp
+refuses "a table for lobes" 2 "three lobes.*thorax" grow --organ right-lung --airway-table a.json -o t.vtp
+refuses "central airways and a table" 2 "--central or --airway-table, not both" grow --organ simple --central c.vtp --airway-table a.json -o t.vtp
+refuses "a table that is missing" 3 "a.json" grow --organ thorax --airway-table a.json -o t.vtp
+printf '{"schema": "pneuma/airway-table/1", "frame": "LPS",
+  "root": {"name": "T", "start_mm": [0, 3, 25], "direction": [0, 0, -1], "diameter_mm": 18, "length_mm": 105},
+  "bifurcations": [{"parent": "T", "hint": [-1, 0, 0], "azimuth_deg": 0,
+    "a": {"name": "RB1", "angle_deg": 30, "length_to_diameter": 3},
+    "b": {"name": "LB7", "angle_deg": 30, "length_to_diameter": 3}}]}' >b.json
+refuses "a table with an unknown segment" 4 "b.json.*'LB7'.*segments are RB1 to RB10" grow --organ thorax --airway-table b.json -o t.vtp
 refuses "an unknown method" 2 "method.*'kitaoke'|'kitaoke'" grow ball.obj --method kitaoke -o t.vtp
 refuses "an unknown paper" 2 "paper.*huang-2004.*'huang'" reproduce huang
+refuses "an unknown table" 2 "table of kitaoka-1999.*1, 2, 3, 4, 5, thorax, claims.*'6'" reproduce kitaoka-1999 --table 6
+refuses "a table of another paper" 2 "table of huang-2004.*right-lung.*'thorax'" reproduce huang-2004 --table thorax
 refuses "an unknown view" 2 "view.*'sideways'|'sideways'" render ball.obj --view sideways -o x.png
 refuses "an unknown colour" 2 "colour-by.*lobe.*strahler.*'taste'" render ball.obj --colour-by taste -o x.png
 refuses "an unknown palette" 2 "palette.*huang.*'x'" render ball.obj --palette x -o x.png
@@ -39,7 +56,7 @@ refuses "domain and organ" 2 "not both" measure t.vtp --domain ball.obj --organ 
 refuses "a lattice out of range" 2 "cell.*\[0.5, 6\] mm.*500" sample chest --cell 500
 refuses "a lattice in a wrong unit" 2 "cell.*mm.*'2kg'" sample chest --cell 2kg
 
-grow=(grow ball.obj -o t.vtp)
+grow=(grow ball.obj --method centroid -o t.vtp)
 refuses "a ratio out of range" 2 "ratio.*\[0.05, 1\].*7" "${grow[@]}" --set ratio=7
 refuses "an angle out of range" 2 "max-angle.*\[0, 180\] deg.*900" "${grow[@]}" --set max-angle=900
 refuses "a length in a wrong unit" 2 "min-length.*mm.*'1m'" "${grow[@]}" --set min-length=1m

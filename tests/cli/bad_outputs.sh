@@ -34,7 +34,7 @@ refuses "a sample onto a file" 6 "lll.stl.*exists" sample chest
 
 # The disk is full while the tree is written: as a limit on the size of files, which every user
 # can set, and where it can be mounted as a small disk.
-bigGrowth=(grow ball.obj --points 20000)
+bigGrowth=(grow ball.obj --method centroid --points 20000)
 PNEUMA_BINARY=$PNEUMA
 limitedProgram=$logs/limited
 printf '#!/bin/sh\nulimit -f 8\nexec "%s" "$@"\n' "$PNEUMA" >"$limitedProgram"
@@ -59,7 +59,7 @@ code=$?
 [ "$code" -eq 6 ] || fail "exit code $code, not 6"
 
 # With --force it works, and the old file is whole or gone for the new one.
-succeeds "replacing on request" grow ball.obj --points 2000 -o there.vtp --report there.json --force
+succeeds "replacing on request" grow ball.obj --method centroid --points 2000 -o there.vtp --report there.json --force
 grep -q '<VTKFile' there.vtp || fail "the old file is still there"
 if [ "$(id -u)" -ne 0 ]; then
   mkdir locked

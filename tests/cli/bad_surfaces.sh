@@ -24,7 +24,7 @@ rm lobes/case_RUL.obj
 refuses "several surfaces without names" 4 "which lobe" grow ball.obj lobes/rul.obj -o tree.vtp
 refuses "an open lobe among five" 4 "rll.obj.*(open|hole)" \
   grow lobes/rul.obj lobes/rml.obj lobes/lul.obj "$(sed '$d' lobes/rll.obj >rll.obj && echo rll.obj)" -o tree.vtp
-succeeds "a tree to measure" grow ball.obj --points 2000 -o ball.swc
+succeeds "a tree to measure" grow ball.obj --method centroid --points 2000 -o ball.swc
 refuses "measuring in an open surface" 4 "open.obj.*open edge" measure ball.swc --domain open.obj
 
 for bad in open inside_out pierced flat metres one_turned; do
@@ -42,5 +42,5 @@ for bad in open inside_out one_turned; do
 done
 refuses "repair of a surface of no volume" 4 "flat|volume" repair flat.obj -o flat.stl
 succeeds "metres become millimetres" export metres.obj --from-units m -o millimetres.stl
-succeeds "and can be grown in" grow millimetres.stl --points 2000 -o tree.vtp
+succeeds "and can be grown in" grow millimetres.stl --method centroid --points 2000 -o tree.vtp
 finish

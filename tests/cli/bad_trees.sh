@@ -15,7 +15,7 @@ swc "1 5 0 0 120 9 -1" "2 5 0 0 10 5 7" >no_parent.swc
 swc "1 5 0 0 120 9 -1" "1 5 0 0 10 5 1" >twice.swc
 swc "1 5 0 0 120" "2 5 0 0 10 5 1" >short.swc
 
-succeeds "a sound central tree" grow ball.obj --central good.swc --points 2000 -o tree.vtp
+succeeds "a sound central tree" grow ball.obj --central good.swc --method centroid --points 2000 -o tree.vtp
 rm -f tree.vtp
 refuses "a cycle" 4 "cycle.swc.*(cycle|root)" grow ball.obj --central cycle.swc -o tree.vtp
 refuses "a cycle beside the tree" 4 "inner_cycle.swc.*cycle" grow ball.obj --central inner_cycle.swc -o tree.vtp
@@ -31,7 +31,7 @@ for bad in cycle two_roots nan no_radius; do
   refuses "export: $bad" 4 "$bad.swc" export "$bad.swc" -o "$bad.vtp"
 done
 
-succeeds "a grown tree" grow ball.obj --points 2000 -o grown.vtp
+succeeds "a grown tree" grow ball.obj --method centroid --points 2000 -o grown.vtp
 refuses "a grown tree is no central tree" 4 "grown.vtp.*central" grow ball.obj --central grown.vtp -o tree.vtp
 fiveBalls lobes
 refuses "a lobe without an airway" 4 "(lobe|bronch|airway)" grow lobes --central good.swc -o tree.vtp

@@ -9,7 +9,7 @@ keeps() { expect "the JSON breaks $1: $("$JSON_CHECK" "$SCHEMAS/$1.schema.json" 
 
 succeeds "help" help
 prints '^  reproduce +Repeat'
-for command in grow measure info repair render export sample reproduce doctor completion help version; do
+for command in grow study measure info repair render export sample reproduce doctor completion help version; do
   succeeds "help $command" help "$command"
   prints "^Usage: pneuma $command"
   cp "$logs/out" page
@@ -44,11 +44,11 @@ keeps growth
 expect "terminals are not about 4000" awk '/"terminals"/ { gsub(/[^0-9]/, ""); ok = $0 > 3880 && $0 < 4120; exit !ok }' r.json
 succeeds "grow without central airways, JSON" grow chest --terminals 2000 -o t.swc --json
 keeps growth
-succeeds "grow in an organ" grow --organ right-lung --points 5000 -o organ.json --json
+succeeds "grow in an organ" grow --organ right-lung --method centroid --points 5000 -o organ.json --json
 keeps growth
-succeeds "a quiet growth" grow chest --points 3000 -o quiet.csv -q
+succeeds "a quiet growth" grow chest --method centroid --points 3000 -o quiet.csv -q
 expect "a quiet growth says something" test ! -s "$logs/out" -a ! -s "$logs/err"
-succeeds "a talkative growth" grow chest --points 3000 -o loud.csv -v
+succeeds "a talkative growth" grow chest --method centroid --points 3000 -o loud.csv -v
 expect "it does not name its steps" grep -q "^pneuma: after .* s: growing" "$logs/err"
 succeeds "progress as JSON lines" grow chest --terminals 30000 -o progress.vtp --progress json
 expect "no line of progress" grep -Eq '^\{"progress":0\.[0-9]+,"step":"[a-z ]+"\}$' "$logs/err"
@@ -90,5 +90,11 @@ prints 'frame RAS'
 succeeds "reproduce" reproduce huang-2004
 prints '^0\.41 +terminals'
 succeeds "reproduce as JSON" reproduce huang-2004 --json
+keeps reproduce
+succeeds "a table of a paper" reproduce kitaoka-1999 --table 5
+prints '^2\.8 +N +55627 +5[56][0-9]{3} '
+prints '^V_r rises +order +1 +1 '
+expect "there are other tables" test "$(grep -c '^Table' "$logs/out")" -eq 1
+succeeds "a table of a paper as JSON" reproduce kitaoka-1999 --table 5 --json
 keeps reproduce
 finish

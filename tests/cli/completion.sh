@@ -33,5 +33,8 @@ completes "pneuma grow --organ r" right-lung
 completes "pneuma grow lo" lobe.stl
 completes "pneuma render --colour-by str" strahler
 completes "pneuma reproduce h" huang-2004
+completes "pneuma reproduce kitaoka-1999 --table th" thorax
+completes "pneuma stu" study
+completes "pneuma study --se" --seeds
 completes "pneuma help mea" measure
 finish

@@ -33,4 +33,9 @@ DISPLAY= refuses "no display for the figures" 10 "xvfb-run" reproduce huang-2004
 
 succeeds "the figures of a paper" reproduce huang-2004 --pictures figures
 for figure in fig1 fig4 fig5; do expect "no $figure" test -s "figures/$figure.png"; done
+succeeds "the figures of another paper" reproduce kitaoka-1999 --table 5 --pictures trees
+for figure in fig6 fig6a fig6b fig6b-text fig6c fig7a fig7b; do
+  expect "no $figure" test -s "trees/$figure.png"
+done
+refuses "figures that are there" 6 "fig6.png.*exists" reproduce kitaoka-1999 --table 5 --pictures trees
 finish

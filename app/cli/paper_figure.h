@@ -1,0 +1,29 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "cli/paper_pictures.h"
+
+namespace pneuma::cli {
+
+/// One figure of a paper: its file and how to draw it.
+struct PaperFigure {
+  std::string_view file;
+  Picture (*draw)(const Reproduction& reproduction, const Progress& progress);
+};
+
+/// Huang 2004: the lobes (Fig. 1), the tree up to generation 2, 3, 6, 8, 12 and 14 on one sheet
+/// (Fig. 4), the whole tree from the front with the upper lobe red, the middle one green and the
+/// lower one blue (Fig. 5).
+std::span<const PaperFigure> huangFigures();
+
+/// Kitaoka 1999: projections of the trees without supplementary rules (Fig. 6 A), without rule 6a
+/// (B by its caption), without rule 8a (B by the text) and with all rules (C); the thorax with
+/// every segment in its own colour from the front and from the right (Fig. 7).
+std::span<const PaperFigure> kitaokaFigures();
+
+/// The organ that was kept under this name.
+const LungModel& figureModel(const Reproduction& reproduction, std::string_view name);
+
+}  // namespace pneuma::cli

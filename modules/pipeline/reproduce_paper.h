@@ -1,0 +1,35 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "pipeline/reproduce.h"
+
+namespace pneuma {
+
+/// A table that can be asked for.
+struct PaperTable {
+  std::string_view id;
+  std::string_view name;
+};
+
+/// A paper with its experiments; each has a source file of its own.
+struct Paper {
+  std::string_view name;
+  std::string_view method;  ///< of growth; its citation is the paper
+  std::span<const PaperTable> tables;
+
+  /// Fills tables and figures. The table that is asked for is one of `tables`, or all.
+  void (*reproduce)(const ReproduceOptions& options, Reproduction& result,
+                    const Progress& progress);
+};
+
+const Paper& huang2004();
+const Paper& kitaoka1999();
+
+/// True if the options ask for this table.
+inline bool wanted(const ReproduceOptions& options, std::string_view table) {
+  return options.table.empty() || options.table == table;
+}
+
+}  // namespace pneuma
