@@ -138,6 +138,9 @@ void ScriptPlayer::set(const QJsonObject& step) const {
   } else if (auto* choice = qobject_cast<QComboBox*>(target)) {
     if (choice->findText(value.toString()) < 0) fail(QStringLiteral("there is no such choice"));
     choice->setCurrentText(value.toString());
+  } else if (auto* button = qobject_cast<QAbstractButton*>(target)) {
+    if (!button->isCheckable()) fail(QStringLiteral("this button has no value, only a click"));
+    button->setChecked(value.toBool());
   } else if (auto* line = qobject_cast<QLineEdit*>(target)) {
     line->setText(expanded(value.toString()));
   } else {

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "growth/kitaoka.h"
 #include "io/surface_file.h"
 #include "io/tree_file.h"
 #include "machine_load.h"
@@ -59,6 +60,55 @@ TEST_F(DocumentTest, GrowsInTheSampleChest) {
   EXPECT_FALSE(document.growthOutOfDate());
   document.setGrowthOptions(optionsFor(2000));
   EXPECT_TRUE(document.growthOutOfDate());
+}
+
+TEST_F(DocumentTest, EveryMethodKeepsItsOptions) {
+  ASSERT_EQ(document.growthOptions(), growthMethods()[0].defaults);
+  document.setGrowthOptions(kitaokaPaper());
+  document.setGrowthOptions(optionsFor(1234));
+  EXPECT_EQ(document.growthMethodIndex(), 1U);
+  document.setGrowthMethod(0);
+  EXPECT_EQ(document.growthOptions(), GrowthOptions(kitaokaPaper()));
+  document.setGrowthMethod(1);
+  EXPECT_EQ(document.growthOptions(), GrowthOptions(optionsFor(1234)));
+}
+
+TEST_F(DocumentTest, ABuiltInOrganOpensAndItsAirwaysStayInIt) {
+  document.openOrgan("sphere");
+  ASSERT_TRUE(idle());
+  ASSERT_EQ(failed.count(), 0) << failed.at(0).at(1).toString().toStdString();
+  EXPECT_TRUE(document.canGrow());
+  EXPECT_EQ(document.snapshot().name, "Sphere (built in)");
+  // The lobes of a person replace the organ; its trunk leads nowhere in them.
+  const SampleChest chest = sampleChest(4.0);
+  std::vector<fs::path> surfaces;
+  for (const LobeSurface& lobe : chest.lobes) {
+    surfaces.push_back(inFolder((std::string(shortName(lobe.lobe)) + ".stl").c_str()));
+    writeSurface(surfaces.back(), *lobe.mesh);
+  }
+  document.open(surfaces);
+  ASSERT_TRUE(idle());
+  EXPECT_EQ(document.tree(), nullptr);
+}
+
+TEST_F(DocumentTest, AnOrganThatThereIsNotIsSaid) {
+  document.openOrgan("spere");
+  ASSERT_TRUE(idle());
+  ASSERT_EQ(failed.count(), 1);
+  EXPECT_TRUE(failed.at(0).at(1).toString().contains("sphere"));
+}
+
+TEST_F(DocumentTest, OnlyAGrownTreeThatIsInNoFileIsUnsaved) {
+  document.openSample();
+  ASSERT_TRUE(idle());
+  EXPECT_FALSE(document.treeUnsaved());
+  openSampleAndGrow(200);
+  EXPECT_TRUE(document.treeUnsaved());
+  QSignalSpy saved(&document, &Document::treeWasSaved);
+  document.saveTree(inFolder("tree.vtp"));
+  ASSERT_TRUE(idle());
+  EXPECT_EQ(saved.count(), 1);
+  EXPECT_FALSE(document.treeUnsaved());
 }
 
 TEST_F(DocumentTest, UndoTakesAGrowthBackAndRedoBringsTheSameTreeAgain) {

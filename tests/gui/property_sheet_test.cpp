@@ -30,6 +30,19 @@ TEST(PropertySheet, ABranchSaysItsNumbers) {
   EXPECT_EQ(valueOf(sheet, "Path from trachea"), "150.0 mm");
 }
 
+TEST(PropertySheet, ATerminalSaysWhyItEnded) {
+  LungModel model = testing::twoLobes();
+  AirwayTree tree = testing::threeBranches();
+  tree.setEnding(1, Ending::Ratio);
+  tree.setEnding(2, Ending::Flow);
+  model.opened = std::make_shared<const AirwayTree>(tree);
+  const Snapshot snapshot = snapshotOf(model, {});
+  EXPECT_EQ(valueOf(branchSheet(snapshot, 0), "Ended"), "(no such row)");
+  EXPECT_EQ(valueOf(branchSheet(snapshot, 1), "Ended"), "could not be divided");
+  EXPECT_EQ(branchSheet(snapshot, 1).rows.back().kind, PropertyRow::Kind::Look);
+  EXPECT_EQ(valueOf(branchSheet(snapshot, 2), "Ended"), "small enough");
+}
+
 TEST(PropertySheet, TheRootHasNoAngle) {
   const PropertySheet sheet = branchSheet(testing::lobesAndTree(), 0);
   EXPECT_EQ(valueOf(sheet, "Angle to mother"), "(no such row)");

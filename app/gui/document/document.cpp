@@ -5,6 +5,7 @@
 #include "document/text.h"
 #include "io/atomic_file.h"
 #include "io/tree_file.h"
+#include "pipeline/organs.h"
 #include "pipeline/report.h"
 #include "pipeline/sample_chest.h"
 
@@ -39,7 +40,8 @@ LungModel joined(const LungModel& open, LungModel read) {
     both.readSeconds += read.readSeconds;
     return both;
   }
-  if (lobesOnly && !open.surfaces && open.central) {
+  // A built-in organ's airways lead into the organ, not into a person's lobes.
+  if (lobesOnly && !open.surfaces && !open.regions && open.central) {
     read.central = open.central;
     read.inputs.insert(read.inputs.begin(), open.inputs.begin(), open.inputs.end());
     read.warnings.insert(read.warnings.begin(), open.warnings.begin(), open.warnings.end());
@@ -50,14 +52,17 @@ LungModel joined(const LungModel& open, LungModel read) {
 QString whatWasRead(const LungModel& model) {
   QStringList parts;
   if (model.surfaces) parts << counted(model.surfaces->size(), "surface", "surfaces");
+  if (!model.surfaces && model.regions) {
+    parts << counted(model.regions->size(), "region", "regions");
+  }
   if (const auto tree = treeOf(model)) parts << counted(tree->size(), "branch", "branches");
   return parts.join(QStringLiteral(" and "));
 }
 
 }  // namespace
 
-Document::Document(QObject* parent)
-    : QObject(parent), growthOptions_(growthMethods().front().defaults) {
+Document::Document(QObject* parent) : QObject(parent) {
+  for (const GrowthMethod& method : growthMethods()) optionsOf_.push_back(method.defaults);
   connect(&jobs_, &JobQueue::failed, this, &Document::fail);
   connect(&jobs_, &JobQueue::cancelled, this, [this](const QString& title) {
     emit said(tr("%1: stopped, nothing was changed").arg(title));
@@ -67,13 +72,16 @@ Document::Document(QObject* parent)
 }
 
 void Document::setGrowthOptions(const GrowthOptions& options) {
-  if (options == growthOptions_) return;
-  growthOptions_ = options;
+  if (options == growthOptions()) return;
+  method_ = options.index();
+  optionsOf_[method_] = options;
   emit growthOptionsChanged();
 }
 
+void Document::setGrowthMethod(std::size_t method) { setGrowthOptions(optionsOf_[method]); }
+
 bool Document::growthOutOfDate() const {
-  return snapshot_.model.growth && !(snapshot_.model.growth->options == growthOptions_);
+  return snapshot_.model.growth && !(snapshot_.model.growth->options == growthOptions());
 }
 
 bool Document::canGrow() const {
@@ -109,9 +117,22 @@ void Document::openSample() {
   });
 }
 
+void Document::openOrgan(std::string_view name) {
+  const QString title = organTitle(name);
+  jobs_.push(
+      tr("Making the organ"), [this, title, organ = std::string(name)](const Progress& progress) {
+        Snapshot next = snapshotOf(pneuma::openOrgan(organ), tr("%1 (built in)").arg(title));
+        progress.report(1.0);
+        return JobQueue::Continuation([this, title, next = std::move(next)] {
+          emit said(tr("Opened the built-in organ %1: %2").arg(title, whatWasRead(next.model)));
+          become(next, tr("open the organ %1").arg(title));
+        });
+      });
+}
+
 void Document::grow() {
   jobs_.push(tr("Growing airways"), [this, model = snapshot_.model, name = snapshot_.name,
-                                     options = growthOptions_](const Progress& progress) {
+                                     options = growthOptions()](const Progress& progress) {
     Snapshot next = snapshotOf(pneuma::grow(model, options, progress), name);
     return JobQueue::Continuation([this, next = std::move(next)] {
       const Growth& growth = *next.model.growth;
@@ -135,6 +156,7 @@ void Document::saveTree(const std::filesystem::path& path) {
     writeTree(path, *shown, treeMetadata(model));
     return JobQueue::Continuation([this, path, shown] {
       saved_ = shown;
+      emit treeWasSaved();
       emit said(
           tr("Saved %1: %2").arg(fileNameOf(path), counted(shown->size(), "branch", "branches")));
     });

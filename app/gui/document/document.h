@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "document/job_queue.h"
@@ -28,9 +29,16 @@ class Document : public QObject {
   /// Null if there is no tree.
   std::shared_ptr<const AirwayTree> tree() const { return treeOf(snapshot_.model); }
 
-  const GrowthOptions& growthOptions() const { return growthOptions_; }
+  /// The options of the next growth; which method, too.
+  const GrowthOptions& growthOptions() const { return optionsOf_[method_]; }
 
+  /// Makes the method of these options the one to grow with.
   void setGrowthOptions(const GrowthOptions& options);
+
+  /// Grows with a method of growthMethods() from now on, with the options that it was given last.
+  void setGrowthMethod(std::size_t method);
+
+  std::size_t growthMethodIndex() const { return method_; }
 
   /// True if the tree shown was grown with other options than those set now.
   bool growthOutOfDate() const;
@@ -49,6 +57,9 @@ class Document : public QObject {
   /// Opens the synthetic chest. Can be undone.
   void openSample();
 
+  /// Opens one of organNames(). Can be undone.
+  void openOrgan(std::string_view name);
+
   /// Grows airways with growthOptions(). Can be undone.
   void grow();
 
@@ -60,6 +71,9 @@ class Document : public QObject {
 
   /// True if the tree shown is in a file as it is.
   bool treeSaved() const { return saved_ != nullptr && saved_ == tree(); }
+
+  /// True if the tree shown was grown here and would be lost.
+  bool treeUnsaved() const { return snapshot_.model.growth != nullptr && !treeSaved(); }
 
   bool canUndo() const { return !undo_.empty() && !jobs_.busy(); }
 
@@ -79,6 +93,9 @@ class Document : public QObject {
 
   void growthOptionsChanged();
 
+  /// The tree shown is in a file now.
+  void treeWasSaved();
+
   /// One sentence on what has just been done, for the status bar.
   void said(const QString& sentence);
 
@@ -96,7 +113,8 @@ class Document : public QObject {
   void fail(const QString& title, const QString& sentence);
 
   Snapshot snapshot_;
-  GrowthOptions growthOptions_;
+  std::vector<GrowthOptions> optionsOf_;  ///< of every method, in the order of growthMethods()
+  std::size_t method_ = 0;
   std::vector<Step> undo_;
   std::vector<Step> redo_;
   std::shared_ptr<const AirwayTree> saved_;     ///< the tree that was saved last

@@ -21,6 +21,20 @@ const char* nameOf(Origin origin) {
   return "grown";
 }
 
+QString nameOf(Ending ending) {
+  switch (ending) {
+    case Ending::Flow:
+      return QStringLiteral("small enough");
+    case Ending::LeftRegion:
+      return QStringLiteral("left its region");
+    case Ending::Ratio:
+      return QStringLiteral("could not be divided");
+    case Ending::None:
+      break;
+  }
+  return {};
+}
+
 QString nameOfRegion(Lobe lobe) {
   if (lobe == Lobe::Central) return QStringLiteral("Central airways");
   if (lobe == Lobe::Whole) return QStringLiteral("Not assigned");
@@ -73,6 +87,11 @@ PropertySheet branchSheet(const Snapshot& snapshot, std::size_t branch) {
       {QStringLiteral("Flow share"), withUnit(100.0 * figures.flowFraction[branch], 3, "%")});
   sheet.rows.push_back(
       {QStringLiteral("Path from trachea"), withUnit(figures.pathMm[branch], 1, "mm")});
+  if (b.ending != Ending::None) {
+    const bool good = b.ending == Ending::Flow;
+    sheet.rows.push_back(
+        {QStringLiteral("Ended"), nameOf(b.ending), good ? Kind::Figure : Kind::Look});
+  }
   return sheet;
 }
 
@@ -164,6 +183,14 @@ PropertySheet filesSheet(const Snapshot& snapshot) {
     for (const LobeSurface& surface : *model.surfaces) {
       sheet.rows.push_back({fileNameOf(surface.name), withUnit(surface.health.volumeMl, 0, "mL"),
                             surface.health.fitToGrow() ? Kind::Good : Kind::Look});
+    }
+  }
+  if (model.regions && !model.surfaces) {
+    for (const LobeRegion& region : *model.regions) {
+      const QString name =
+          region.lobe == Lobe::Whole ? QStringLiteral("Organ") : capitalised(longName(region.lobe));
+      sheet.rows.push_back(
+          {name, withUnit(millilitres(region.domain->volumeMm3()), 0, "mL"), Kind::Good});
     }
   }
   if (model.central) {

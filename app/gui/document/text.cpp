@@ -34,6 +34,10 @@ QString capitalised(std::string_view words) {
   return text;
 }
 
+QString organTitle(std::string_view name) {
+  return capitalised(name).replace(QLatin1Char('-'), QLatin1Char(' '));
+}
+
 QString fileNameOf(const std::filesystem::path& path) {
   const auto last = path.has_filename() ? path.filename() : path.parent_path().filename();
   return qtText(last.string());

@@ -22,6 +22,9 @@ QString qtText(std::string_view utf8);
 /// "right upper lobe" -> "Right upper lobe"
 QString capitalised(std::string_view words);
 
+/// A built-in organ's name for people: "right-lung" -> "Right lung"
+QString organTitle(std::string_view name);
+
 /// The last part of a path only: folders often carry a patient's name.
 QString fileNameOf(const std::filesystem::path& path);
 

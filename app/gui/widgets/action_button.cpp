@@ -1,7 +1,10 @@
 #include "widgets/action_button.h"
 
 #include <QAction>
+#include <QMenu>
 #include <QVariant>
+
+#include "widgets/actions.h"
 
 namespace pneuma {
 
@@ -21,6 +24,18 @@ QPushButton* actionButton(QAction* action, const char* name, const char* role) {
   follow();
   QObject::connect(action, &QAction::changed, button, follow);
   QObject::connect(button, &QPushButton::clicked, action, &QAction::trigger);
+  return button;
+}
+
+QPushButton* organButton(const Actions& actions, const char* name) {
+  auto* button = new QPushButton(QObject::tr("Built-in organ"));
+  button->setObjectName(QString::fromUtf8(name));
+  button->setToolTip(QObject::tr("An organ of a paper with its central airways, to try a method"));
+  button->setMenu(organMenu(actions, button));
+  for (QAction* organ : actions.organs) {
+    QObject::connect(organ, &QAction::changed, button,
+                     [button, organ] { button->setEnabled(organ->isEnabled()); });
+  }
   return button;
 }
 

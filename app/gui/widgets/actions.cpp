@@ -4,6 +4,8 @@
 #include <QMenu>
 #include <QMenuBar>
 
+#include "document/text.h"
+#include "pipeline/organs.h"
 #include "widgets/icons.h"
 
 namespace pneuma {
@@ -32,6 +34,11 @@ Actions makeActions(QWidget* window) {
   a.openFolder =
       action(window, "actionOpenFolder", tr("Open &folder..."), {keys("Ctrl+Shift+O")}, "folder");
   a.sample = action(window, "actionSample", tr("&Try the sample chest"), {}, "lungs");
+  for (const std::string_view name : organNames()) {
+    const std::string objectName = "actionOrgan_" + std::string(name);
+    a.organs.push_back(action(window, objectName.c_str(), organTitle(name)));
+    a.organs.back()->setData(qtText(name));
+  }
   a.saveTree = action(window, "actionSaveTree", tr("&Save tree..."), {keys("Ctrl+S")}, "save");
   a.savePicture =
       action(window, "actionSavePicture", tr("Save &picture..."), {keys("F12")}, "camera");
@@ -55,9 +62,16 @@ Actions makeActions(QWidget* window) {
   return a;
 }
 
+QMenu* organMenu(const Actions& a, QWidget* parent) {
+  auto* menu = new QMenu(QObject::tr("Open a &built-in organ"), parent);
+  for (QAction* organ : a.organs) menu->addAction(organ);
+  return menu;
+}
+
 void fillMenus(QMenuBar& bar, const Actions& a) {
   QMenu* file = bar.addMenu(QObject::tr("&File"));
   file->addActions({a.open, a.openFolder, a.sample});
+  file->addMenu(organMenu(a, file));
   file->addSeparator();
   file->addActions({a.saveTree, a.savePicture});
   file->addSeparator();

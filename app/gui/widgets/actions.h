@@ -2,7 +2,9 @@
 
 #include <QAction>
 #include <array>
+#include <vector>
 
+class QMenu;
 class QMenuBar;
 
 namespace pneuma {
@@ -15,6 +17,7 @@ struct Actions {
   QAction* open = nullptr;
   QAction* openFolder = nullptr;
   QAction* sample = nullptr;
+  std::vector<QAction*> organs;  ///< one for each of organNames(), which is its data()
   QAction* saveTree = nullptr;
   QAction* savePicture = nullptr;
   QAction* quit = nullptr;
@@ -30,6 +33,9 @@ struct Actions {
 
 /// @param window owns the actions and answers their keys
 Actions makeActions(QWidget* window);
+
+/// A menu of the built-in organs.
+QMenu* organMenu(const Actions& actions, QWidget* parent);
 
 void fillMenus(QMenuBar& bar, const Actions& actions);
 

@@ -2,6 +2,7 @@
 
 #include <QFileDialog>
 #include <QMessageBox>
+#include <QPushButton>
 #include <utility>
 
 #include "document/text.h"
@@ -48,6 +49,27 @@ void askWhereToSave(QWidget* parent, const QString& title, const QString& filter
   dialog->setDefaultSuffix(suffix);
   QObject::connect(dialog, &QFileDialog::fileSelected, parent, std::move(chosen));
   dialog->open();
+}
+
+void askBeforeClosing(QWidget* parent, std::function<void()> save, std::function<void()> discard) {
+  auto* box = new QMessageBox(parent);
+  box->setObjectName(QStringLiteral("closeQuestion"));
+  box->setAttribute(Qt::WA_DeleteOnClose);
+  box->setWindowTitle(QObject::tr("Pneuma"));
+  box->setText(QObject::tr("The grown airways are not saved."));
+  box->setInformativeText(QObject::tr("Save them before the window closes?"));
+  const auto button = [box](QMessageBox::StandardButton which, const char* name,
+                            std::function<void()> answer) {
+    QPushButton* made = box->addButton(which);
+    made->setObjectName(QString::fromUtf8(name));
+    if (answer) QObject::connect(made, &QPushButton::clicked, box->parent(), std::move(answer));
+  };
+  button(QMessageBox::Save, "closeSave", std::move(save));
+  button(QMessageBox::Discard, "closeDiscard", std::move(discard));
+  button(QMessageBox::Cancel, "closeCancel", {});
+  box->setDefaultButton(QMessageBox::Save);
+  box->setEscapeButton(QMessageBox::Cancel);
+  box->open();
 }
 
 void showAbout(QWidget* parent) {

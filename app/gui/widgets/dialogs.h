@@ -17,6 +17,9 @@ void askForFolder(QWidget* parent, std::function<void(const QString&)> chosen);
 void askWhereToSave(QWidget* parent, const QString& title, const QString& filter,
                     const QString& suffix, std::function<void(const QString&)> chosen);
 
+/// Asks what becomes of a grown tree that is in no file; "Cancel" calls nothing.
+void askBeforeClosing(QWidget* parent, std::function<void()> save, std::function<void()> discard);
+
 void showAbout(QWidget* parent);
 
 }  // namespace pneuma

@@ -1,31 +1,33 @@
 #include "widgets/growth_panel.h"
 
-#include <QComboBox>
+#include <QButtonGroup>
 #include <QEvent>
+#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QVBoxLayout>
 #include <QVariant>
-#include <variant>
 
 #include "document/document.h"
+#include "document/efficiency_table.h"
 #include "document/text.h"
 #include "widgets/action_button.h"
 #include "widgets/actions.h"
+#include "widgets/efficiency_card.h"
+#include "widgets/growth_form.h"
 #include "widgets/heading.h"
-#include "widgets/options_form.h"
 
 namespace pneuma {
 
 namespace {
 
-/// The options that are shown at once; what a method has besides is under "Advanced".
-const std::set<std::string>& usualOptions() {
-  static const std::set<std::string> names = {"terminals", "ratio", "containment", "seed"};
-  return names;
-}
+constexpr int TabsInARow = 2;
+
+/// A lower panel has no room for the advanced options and the efficiency functions.
+constexpr int HeightForBoth = 560;
 
 /// As high as what it holds where there is room, so that the buttons follow the form.
 class FittingScrollArea : public QScrollArea {
@@ -33,6 +35,7 @@ class FittingScrollArea : public QScrollArea {
   explicit FittingScrollArea(QWidget* content) {
     setWidget(content);
     setWidgetResizable(true);
+    verticalScrollBar()->setObjectName(QStringLiteral("growthOptionsScroll"));
     setFrameShape(QFrame::NoFrame);
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
@@ -55,8 +58,49 @@ GrowthPanel::GrowthPanel(Document& document, const Actions& actions, QWidget* pa
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(8);
   column->addWidget(heading(tr("Grow airways")));
-  column->addWidget(makeForm());
+  column->addWidget(makeTabs());
+  form_ = new GrowthForm(document_);
+  column->addWidget(new FittingScrollArea(form_));
+  column->addLayout(makeButtons(actions));
+  note_ = new QLabel;
+  note_->setObjectName(QStringLiteral("growthNote"));
+  note_->setProperty("role", "dim");
+  note_->setWordWrap(true);
+  column->addWidget(note_);
+  efficiency_ = new EfficiencyCard;
+  efficiency_->setObjectName(QStringLiteral("efficiency"));
+  efficiency_->setAccessibleName(tr("Efficiency functions"));
+  column->addWidget(efficiency_);
+  column->addStretch();
 
+  connect(&document_, &Document::growthOptionsChanged, this, &GrowthPanel::follow);
+  connect(&document_, &Document::changed, this, &GrowthPanel::follow);
+  connect(form_, &GrowthForm::advancedToggled, this, &GrowthPanel::showEfficiency);
+  follow();
+}
+
+QWidget* GrowthPanel::makeTabs() {
+  auto* frame = new QFrame;
+  frame->setProperty("role", "segmented");
+  auto* grid = new QGridLayout(frame);
+  grid->setContentsMargins(2, 2, 2, 2);
+  grid->setSpacing(1);
+  tabs_ = new QButtonGroup(this);
+  for (const GrowthMethod& method : growthMethods()) {
+    const int index = static_cast<int>(tabs_->buttons().size());
+    auto* tab = new QPushButton(qtText(method.title));
+    tab->setObjectName(QStringLiteral("method_") + qtText(method.name));
+    tab->setCheckable(true);
+    tab->setToolTip(qtText(method.citation));
+    tabs_->addButton(tab, index);
+    grid->addWidget(tab, index / TabsInARow, index % TabsInARow);
+    connect(tab, &QPushButton::clicked, this,
+            [this, index] { document_.setGrowthMethod(static_cast<std::size_t>(index)); });
+  }
+  return frame;
+}
+
+QLayout* GrowthPanel::makeButtons(const Actions& actions) {
   auto* buttons = new QHBoxLayout;
   buttons->setSpacing(8);
   buttons->addWidget(actionButton(actions.grow, "grow", "primary"), 1);
@@ -66,95 +110,36 @@ GrowthPanel::GrowthPanel(Document& document, const Actions& actions, QWidget* pa
   connect(actions.cancel, &QAction::changed, cancel, [cancel] { cancel->setText(tr("Cancel")); });
   cancel->hide();
   buttons->addWidget(cancel);
-  column->addLayout(buttons);
-  note_ = new QLabel;
-  note_->setObjectName(QStringLiteral("growthNote"));
-  note_->setProperty("role", "dim");
-  note_->setWordWrap(true);
-  column->addWidget(note_);
-  column->addStretch();
-
-  bindOptions();
-  connect(&model_, &QAbstractItemModel::dataChanged, this, &GrowthPanel::takeOptions);
-  connect(&document_, &Document::growthOptionsChanged, this, &GrowthPanel::updateNote);
-  connect(&document_, &Document::changed, this, &GrowthPanel::updateNote);
-  updateNote();
+  return buttons;
 }
 
-QWidget* GrowthPanel::makeForm() {
-  auto* content = new QWidget;
-  auto* column = new QVBoxLayout(content);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(8);
-  method_ = new QComboBox;
-  method_->setObjectName(QStringLiteral("method"));
-  method_->setAccessibleName(tr("Method"));
-  for (const GrowthMethod& method : growthMethods()) {
-    method_->addItem(qtText(method.title));
-    method_->setItemData(method_->count() - 1, qtText(method.citation), Qt::ToolTipRole);
-  }
-  method_->setToolTip(qtText(growthMethods().front().citation));
-  connect(method_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, [this](int index) {
-    const GrowthMethod& method = growthMethods()[static_cast<std::size_t>(index)];
-    method_->setToolTip(qtText(method.citation));
-    document_.setGrowthOptions(method.defaults);
-    bindOptions();
-  });
-  column->addWidget(method_);
-  column->addWidget(new OptionsForm(model_, usualOptions(), false));
-
-  auto* below = new QHBoxLayout;
-  advanced_ = new QPushButton(tr("Advanced"));
-  advanced_->setObjectName(QStringLiteral("advanced"));
-  advanced_->setProperty("role", "link");
-  advanced_->setCheckable(true);
-  auto* defaults = new QPushButton(tr("Defaults"));
-  defaults->setObjectName(QStringLiteral("defaults"));
-  defaults->setProperty("role", "link");
-  defaults->setToolTip(tr("The values of the method's paper"));
-  below->addWidget(advanced_);
-  below->addStretch();
-  below->addWidget(defaults);
-  column->addLayout(below);
-  advancedForm_ = new OptionsForm(model_, usualOptions(), true);
-  advancedForm_->setObjectName(QStringLiteral("advancedForm"));
-  advancedForm_->hide();
-  column->addWidget(advancedForm_);
-  connect(advanced_, &QPushButton::toggled, this, [this](bool on) {
-    advancedForm_->setVisible(on);
-    advanced_->setText(on ? tr("Hide advanced") : tr("Advanced"));
-  });
-  connect(defaults, &QPushButton::clicked, this, [this] {
-    document_.setGrowthOptions(growthMethod(document_.growthOptions()).defaults);
-    bindOptions();
-  });
-
-  return new FittingScrollArea(content);
-}
-
-void GrowthPanel::bindOptions() {
-  std::visit([this](const auto& options) { model_.bind(options); }, document_.growthOptions());
-}
-
-void GrowthPanel::takeOptions() {
-  GrowthOptions options = document_.growthOptions();
-  std::visit(
-      [this](auto& chosen) { chosen = model_.options<std::remove_cvref_t<decltype(chosen)>>(); },
-      options);
-  document_.setGrowthOptions(options);
-}
-
-void GrowthPanel::updateNote() {
-  if (!document_.canGrow()) {
-    note_->setText(tr("Open lobe surfaces first: there is nothing to grow in."));
-  } else if (document_.growthOutOfDate()) {
-    note_->setText(tr("Options were changed since this tree was grown."));
-  } else if (!document_.model().central) {
-    note_->setText(tr("No central airways are open: a template is used."));
-  } else {
-    note_->setText({});
-  }
+void GrowthPanel::follow() {
+  tabs_->button(static_cast<int>(document_.growthMethodIndex()))->setChecked(true);
+  note_->setText(note());
   note_->setVisible(!note_->text().isEmpty());
+  const EfficiencyTable table = efficiencyTable(document_.snapshot());
+  efficiency_->show(table);
+  grown_ = !table.rows.empty();
+  showEfficiency();
+}
+
+void GrowthPanel::showEfficiency() {
+  const bool room = height() >= HeightForBoth || !form_->advancedShown();
+  efficiency_->setVisible(grown_ && room);
+}
+
+void GrowthPanel::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  showEfficiency();
+}
+
+QString GrowthPanel::note() const {
+  if (!document_.canGrow()) {
+    return tr("Open lobe surfaces or an organ first: there is nothing to grow in.");
+  }
+  if (document_.growthOutOfDate()) return tr("Changed since this tree was grown.");
+  if (!document_.model().central) return tr("No central airways are open: a template is used.");
+  return {};
 }
 
 }  // namespace pneuma

@@ -2,39 +2,41 @@
 
 #include <QWidget>
 
-#include "document/options_model.h"
-
-class QComboBox;
+class QButtonGroup;
 class QLabel;
-class QPushButton;
+class QLayout;
 
 namespace pneuma {
 
 struct Actions;
 class Document;
+class EfficiencyCard;
+class GrowthForm;
 
-/// Step "Airways": method, its options, grow and cancel. The form is made from the options' fields;
-/// the panel only says which of them a beginner needs.
+/// Step "Airways": a tab for every growth method with its options, grow and cancel, and the
+/// efficiency functions of what was grown.
 class GrowthPanel : public QWidget {
   Q_OBJECT
 
  public:
   GrowthPanel(Document& document, const Actions& actions, QWidget* parent = nullptr);
 
-  OptionsModel& options() { return model_; }
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
-  void bindOptions();
-  void takeOptions();
-  void updateNote();
-  QWidget* makeForm();
+  void follow();
+  void showEfficiency();
+  QString note() const;
+  QWidget* makeTabs();
+  QLayout* makeButtons(const Actions& actions);
 
   Document& document_;
-  OptionsModel model_;
-  QComboBox* method_;
-  QPushButton* advanced_;
-  QWidget* advancedForm_;
+  QButtonGroup* tabs_;
+  GrowthForm* form_;
   QLabel* note_;
+  EfficiencyCard* efficiency_;
+  bool grown_ = false;  ///< there is an efficiency to show
 };
 
 }  // namespace pneuma

@@ -2,6 +2,7 @@
 
 #include <QApplication>
 #include <QBuffer>
+#include <QCloseEvent>
 #include <QDragEnterEvent>
 #include <QLabel>
 #include <QMimeData>
@@ -71,6 +72,12 @@ void MainWindow::connectActions() {
     errorCard_->hide();
     document_.openSample();
   });
+  for (QAction* organ : actions_.organs) {
+    connect(organ, &QAction::triggered, this, [this, organ] {
+      errorCard_->hide();
+      document_.openOrgan(organ->data().toString().toStdString());
+    });
+  }
   connect(actions_.grow, &QAction::triggered, this, [this] {
     errorCard_->hide();
     goTo(AirwaysStep);
@@ -79,7 +86,7 @@ void MainWindow::connectActions() {
   connect(actions_.undo, &QAction::triggered, &document_, &Document::undo);
   connect(actions_.redo, &QAction::triggered, &document_, &Document::redo);
   connect(actions_.cancel, &QAction::triggered, this, &MainWindow::cancel);
-  connect(actions_.saveTree, &QAction::triggered, this, &MainWindow::saveTree);
+  connect(actions_.saveTree, &QAction::triggered, this, [this] { saveTree(); });
   connect(actions_.savePicture, &QAction::triggered, this, &MainWindow::savePicture);
   connect(actions_.quit, &QAction::triggered, this, &QWidget::close);
   connect(actions_.about, &QAction::triggered, this, [this] { showAbout(this); });
@@ -100,6 +107,10 @@ void MainWindow::connectDocument() {
   connect(&document_, &Document::growthOptionsChanged, this, &MainWindow::updateSteps);
   connect(&document_, &Document::said, status_, &StatusStrip::say);
   connect(&document_, &Document::failed, errorCard_, &ErrorCard::show);
+  connect(&document_, &Document::treeWasSaved, this, [this] {
+    if (const auto then = std::exchange(whenSaved_, {})) then();
+  });
+  connect(&document_, &Document::failed, this, [this] { whenSaved_ = {}; });
   connect(&document_.jobs(), &JobQueue::progressed, this, &MainWindow::updateSteps);
 }
 
@@ -166,6 +177,7 @@ void MainWindow::showScene() {
   }
   viewBar_->setDeepest(
       snapshot.figures ? static_cast<int>(snapshot.figures->branchesOfGeneration.size()) - 1 : 0);
+  viewBar_->setLobes(snapshot.model.surfaces != nullptr);
   view_->setOptions(viewBar_->applied(view_->options()));
   shownSurfaces_ = snapshot.model.surfaces;
   shownTree_ = tree;
@@ -174,7 +186,11 @@ void MainWindow::showScene() {
   centre_->setCurrentIndex(empty ? 0 : 1);
   if (empty) return;
   if (wasEmpty) goTo(AirwaysStep);
-  if (wasEmpty || otherLungs || !shownSurfaces_) view_->look(FirstView);
+  if (wasEmpty || otherLungs) {
+    view_->look(FirstView);
+  } else if (!shownSurfaces_) {
+    view_->resetView();  // only the tree says how large the organ is
+  }
 }
 
 void MainWindow::applyVisibility() {
@@ -201,10 +217,11 @@ void MainWindow::updateActions() {
   for (QAction* opening : {actions_.open, actions_.openFolder, actions_.sample}) {
     opening->setEnabled(!busy);
   }
+  for (QAction* organ : actions_.organs) organ->setEnabled(!busy);
   actions_.grow->setEnabled(lobes && !busy);
   actions_.grow->setToolTip(busy    ? wait
                             : lobes ? tr("Grow airways from the central ones into the lobes")
-                                    : tr("Open lobe surfaces first"));
+                                    : tr("Open lobe surfaces or an organ first"));
   actions_.saveTree->setEnabled(tree && !busy);
   actions_.saveTree->setToolTip(busy   ? wait
                                 : tree ? tr("Save the tree that is shown")
@@ -234,11 +251,13 @@ void MainWindow::updateSteps() {
       for (const auto& surface : *model.surfaces) healthy = healthy && surface.health.healthy();
     }
     steps_[OpenStep]->setState(healthy ? StepState::Done : StepState::CheckMe,
-                               count > 0 ? counted(count, "surface", "surfaces") : tr("a tree"));
+                               count > 0             ? counted(count, "surface", "surfaces")
+                               : document_.canGrow() ? tr("a built-in organ")
+                                                     : tr("a tree"));
   }
 
   StepButton& airways = *steps_[AirwaysStep];
-  if (busy && model.surfaces) {
+  if (busy && document_.canGrow()) {
     airways.setState(StepState::Running, {});
   } else if (!model.growth) {
     airways.setState(StepState::ToDo, {});
@@ -315,12 +334,31 @@ void MainWindow::cancel() {
   }
 }
 
-void MainWindow::saveTree() {
+void MainWindow::closeEvent(QCloseEvent* event) {
+  if (leaving_ || !document_.treeUnsaved()) {
+    event->accept();
+    return;
+  }
+  event->ignore();
+  if (findChild<QWidget*>(QStringLiteral("closeQuestion")) != nullptr) return;
+  const auto save = [this] { saveTree([this] { close(); }); };
+  const auto discard = [this] {
+    leaving_ = true;
+    close();
+    leaving_ = false;
+  };
+  askBeforeClosing(this, save, discard);
+}
+
+void MainWindow::saveTree(std::function<void()> then) {
   const QString format = exportPanel_->format();
   goTo(ExportStep);
   askWhereToSave(this, tr("Save the tree"),
                  QStringLiteral("%1 (*.%2)").arg(format.toUpper(), format), format,
-                 [this](const QString& name) { document_.saveTree(pathOf(name)); });
+                 [this, then = std::move(then)](const QString& name) {
+                   whenSaved_ = then;
+                   document_.saveTree(pathOf(name));
+                 });
 }
 
 void MainWindow::savePicture() {

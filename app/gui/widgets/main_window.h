@@ -3,6 +3,7 @@
 #include <QMainWindow>
 #include <array>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -50,6 +51,8 @@ class MainWindow : public QMainWindow {
   void themeChosen(pneuma::ThemeName name);
 
  protected:
+  /// Asks first if a grown tree would be lost.
+  void closeEvent(QCloseEvent* event) override;
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
 
@@ -75,13 +78,16 @@ class MainWindow : public QMainWindow {
   void walk(Neighbour where);
   void probe(std::optional<std::size_t> branch);
   void cancel();
-  void saveTree();
+  /// @param then what to do once the tree is saved
+  void saveTree(std::function<void()> then = {});
   void savePicture();
 
   Document document_;
   StructureModel structures_;
   Actions actions_;
   std::optional<std::size_t> branch_;  ///< the selected one
+  std::function<void()> whenSaved_;
+  bool leaving_ = false;  ///< closes without asking
 
   // What the scene holds, so that only what is new is handed to it.
   std::shared_ptr<const std::vector<LobeSurface>> shownSurfaces_;

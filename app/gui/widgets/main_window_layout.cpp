@@ -93,7 +93,7 @@ QWidget* MainWindow::makeRail() {
     auto* key = new QShortcut(QKeySequence(QString::number(i + 1)), this);
     connect(key, &QShortcut::activated, this, [this, i] { goTo(static_cast<Step>(i)); });
   }
-  column->addSpacing(14);
+  column->addSpacing(10);
   openPanel_ = new OpenPanel(actions_);
   exportPanel_ = new ExportPanel(actions_);
   panels_->addWidget(openPanel_);

@@ -19,6 +19,7 @@ OpenPanel::OpenPanel(const Actions& actions, QWidget* parent) : QWidget(parent) 
   column->addWidget(actionButton(actions.open, "openFiles", "primary"));
   column->addWidget(actionButton(actions.openFolder, "openFolder"));
   column->addWidget(actionButton(actions.sample, "openSample"));
+  column->addWidget(organButton(actions, "openOrgan"));
   column->addSpacing(10);
   heading_ = heading(tr("Opened"));
   column->addWidget(heading_);

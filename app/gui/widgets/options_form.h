@@ -1,8 +1,8 @@
 #pragma once
 
 #include <QWidget>
-#include <set>
 #include <string>
+#include <vector>
 
 class QGridLayout;
 
@@ -10,27 +10,27 @@ namespace pneuma {
 
 class OptionsModel;
 
-/// Spin boxes and combo boxes for the rows of an OptionsModel; knows no option in particular.
-/// An editor is called "option_" + the option's name.
+/// Editors for rows of an OptionsModel: a box for numbers, a list for choices, a tick for what is
+/// off or on; knows no option in particular. An editor is called "option_" + the option's name.
 class OptionsForm : public QWidget {
   Q_OBJECT
 
  public:
-  /// @param only the names to show; all others where `except` is true
-  OptionsForm(OptionsModel& model, std::set<std::string> names, bool except,
-              QWidget* parent = nullptr);
+  /// @param names of the options to show, in this order
+  OptionsForm(OptionsModel& model, std::vector<std::string> names, QWidget* parent = nullptr);
 
  private:
-  void rebuild();
   void refresh();
   void addRow(int row);
+  void addSwitch(int row);
   QWidget* numberEditor(int row);
   QWidget* choiceEditor(int row);
+  void describe(QWidget& editor, int row) const;
 
   OptionsModel& model_;
-  std::set<std::string> names_;
-  bool except_;
+  std::vector<std::string> names_;
   QGridLayout* grid_;
+  bool besideSwitch_ = false;  ///< the last cell taken is a switch with room beside it
 };
 
 }  // namespace pneuma

@@ -28,20 +28,23 @@ StartPage::StartPage(const Actions& actions, QWidget* parent) : QWidget(parent) 
   setAttribute(Qt::WA_StyledBackground);
   auto* frame = new QFrame;
   frame->setObjectName(QStringLiteral("dropFrame"));
-  frame->setFixedWidth(560);
+  frame->setFixedWidth(640);
   auto* column = new QVBoxLayout(frame);
   column->setContentsMargins(36, 32, 36, 30);
   column->setSpacing(10);
   column->addWidget(line(tr("Drop lobe surfaces here"), "title"));
-  column->addWidget(line(tr("A folder, or STL, OBJ, PLY and VTP files whose names carry rul, rml, "
-                            "rll, lul, lll. Add the central airways as VTP, VTU, SWC or CSV if you "
-                            "have them; without them a template is used."),
-                         "dim"));
+  column->addWidget(
+      line(tr("A folder, or STL, OBJ, PLY and VTP files whose names carry rul, rml, "
+              "rll, lul, lll. Add the central airways as VTP, VTU, SWC or CSV if you "
+              "have them; without them a template is used. No data at hand? Take a built-in "
+              "organ."),
+           "dim"));
   column->addSpacing(8);
   auto* buttons = new QHBoxLayout;
   buttons->setSpacing(8);
   buttons->addWidget(actionButton(actions.open, "startOpen"));
   buttons->addWidget(actionButton(actions.openFolder, "startOpenFolder"));
+  buttons->addWidget(organButton(actions, "startOrgan"));
   buttons->addWidget(actionButton(actions.sample, "startSample", "primary"));
   column->addLayout(buttons);
   column->addSpacing(4);

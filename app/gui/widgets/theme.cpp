@@ -49,6 +49,9 @@ QString styleSheet(const Theme& theme) {
       {QStringLiteral("@look"), theme.look},
       {QStringLiteral("@dim"), theme.dim},
   };
+  sheet.replace(QStringLiteral("@tick"), theme.name == ThemeName::Dark
+                                             ? QStringLiteral("tick-dark")
+                                             : QStringLiteral("tick-light"));
   for (const auto& [name, colour] : colours) sheet.replace(name, colour.name());
   return sheet;
 }

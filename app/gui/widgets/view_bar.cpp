@@ -17,8 +17,9 @@ struct Colouring {
   const char* name;
 };
 
-constexpr std::array<Colouring, 5> Colourings = {
+constexpr std::array<Colouring, 6> Colourings = {
     {{ColourBy::Lobe, QT_TR_NOOP("Lobe")},
+     {ColourBy::Segment, QT_TR_NOOP("Segment")},
      {ColourBy::Generation, QT_TR_NOOP("Generation")},
      {ColourBy::Strahler, QT_TR_NOOP("Strahler order")},
      {ColourBy::Diameter, QT_TR_NOOP("Diameter")},
@@ -126,6 +127,11 @@ void ViewBar::setDeepest(int generation) {
   if (all) generation_->setValue(generation);
   generation_->setEnabled(generation > 0);
   updateLabels();
+}
+
+void ViewBar::setLobes(bool any) {
+  opacity_->setEnabled(any);
+  opacity_->setToolTip(any ? opacity_->accessibleName() : tr("No lobe surfaces are open"));
 }
 
 void ViewBar::updateLabels() {

@@ -25,6 +25,9 @@ class ViewBar : public QWidget {
   /// The deepest generation there is; the slider goes as far.
   void setDeepest(int generation);
 
+  /// False where there is no surface whose density could be chosen, as in a built-in organ.
+  void setLobes(bool any);
+
  signals:
   void changed();
 
