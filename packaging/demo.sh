@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # From nothing to pictures: installs what is missing, builds the command line, makes a synthetic
-# chest, grows an airway tree of 30,000 terminals in its five lobes, measures it and draws it.
+# chest, grows airway trees of 30,000 terminals in its five lobes, measures and draws them, and grows
+# the thorax of Kitaoka 1999.
 #   packaging/demo.sh [OUTDIR]        (default: demo-output)
 # Where ../shared/data/lobes_airways_chaste stands beside the project, the same is done in the lobes
 # and airways of a real person.
@@ -34,21 +35,34 @@ draw() {
 
 # grow_and_draw FOLDER LOBES CENTRAL: tree, report, measurements and pictures of one lung.
 grow_and_draw() {
-  local folder=$1 lobes=$2 central=$3
-  mkdir -p "$folder"
-  "$pneuma" grow "$lobes" --central "$central" --method centroid --terminals 30000 --force \
-    -o "$folder/tree.vtp" --report "$folder/report.json"
-  "$pneuma" measure "$folder/tree.vtp" --domain "$lobes" >"$folder/measures.txt"
-  draw "$folder/anterior-by-lobe.png" "$lobes" "$folder/tree.vtp" --view anterior --colour-by lobe
-  draw "$folder/left-by-diameter.png" "$folder/tree.vtp" --view left --colour-by diameter
-  draw "$folder/oblique-by-strahler.png" "$folder/tree.vtp" --view 40,20 --colour-by strahler
-  draw "$folder/first-generations.png" "$lobes" "$folder/tree.vtp" --view anterior \
-    --colour-by generation --max-generation 9 --background white
+  local folder=$1 lobes=$2 central=$3 method
+  for method in kitaoka centroid; do
+    mkdir -p "$folder/$method"
+    "$pneuma" grow "$lobes" --central "$central" --method $method --terminals 30000 --force \
+      -o "$folder/$method/tree.vtp" --report "$folder/$method/report.json"
+    "$pneuma" measure "$folder/$method/tree.vtp" --domain "$lobes" >"$folder/$method/measures.txt"
+    draw "$folder/$method/anterior-by-lobe.png" "$lobes" "$folder/$method/tree.vtp" \
+      --view anterior --colour-by lobe
+  done
+  draw "$folder/kitaoka/left-by-diameter.png" "$folder/kitaoka/tree.vtp" --view left \
+    --colour-by diameter
+  draw "$folder/kitaoka/oblique-by-strahler.png" "$folder/kitaoka/tree.vtp" --view 40,20 \
+    --colour-by strahler
+  draw "$folder/centroid/first-generations.png" "$lobes" "$folder/centroid/tree.vtp" \
+    --view anterior --colour-by generation --max-generation 9 --background white
 }
 
 step "A synthetic chest"
 "$pneuma" sample "$out/sample" --force
 grow_and_draw "$out/synthetic" "$out/sample" "$out/sample/central.vtp"
+
+step "The thorax of Kitaoka 1999"
+mkdir -p "$out/thorax"
+"$pneuma" grow --organ thorax --force -o "$out/thorax/tree.vtp" --report "$out/thorax/report.json"
+draw "$out/thorax/anterior-by-segment.png" "$out/thorax/tree.vtp" --view anterior \
+  --colour-by segment --background white
+draw "$out/thorax/right-by-segment.png" "$out/thorax/tree.vtp" --view right \
+  --colour-by segment --background white
 
 real=../shared/data/lobes_airways_chaste
 if [[ -d $real ]]; then

@@ -118,6 +118,18 @@ class LobeDivider {
   std::vector<Sprout>& sprouts_;
 };
 
+/// The only inlet of a lobe must lead somewhere. @pre `grid` lies on the whole lobe
+void requireTrunkPointsIn(const AirwayTree& central, std::span<const Inlet> inlets,
+                          std::size_t region, const LobeRegion& lobe, const CellGrid& grid) {
+  if (std::ranges::count(inlets, region, &Inlet::region) != 1) return;
+  const Branch& trunk = central[std::ranges::find(inlets, region, &Inlet::region)->branch];
+  const int ahead = grid.countIn({WedgeKind::Plane, trunk.distal, direction(trunk), Vec3::Zero()});
+  if (ahead > 0.01 * grid.count()) return;
+  throw InvalidInput("the airway that enters the " + std::string(longName(lobe.lobe)) +
+                     " points out of it: nothing of the lobe lies ahead of its end; turn it round, "
+                     "or end it further in");
+}
+
 /// Is the lobe divided by distance, not by bifurcations?
 bool servesNearest(const AirwayTree& central, std::span<const Inlet> inlets, std::size_t region,
                    const KitaokaOptions& options) {
@@ -231,6 +243,7 @@ std::vector<Sprout> inletSprouts(const AirwayTree& central, std::span<const Inle
                          " is too thin for a grid of " + std::to_string(options.grid) +
                          " cells; choose a finer grid, or check its surface");
     }
+    requireTrunkPointsIn(central, inlets, region, lobes[region], grid);
     if (servesNearest(central, inlets, region, options)) {
       giveNearest(central, inlets, region, whole, grid, sprouts);
     } else {

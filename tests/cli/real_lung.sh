@@ -15,11 +15,19 @@ fi
 number() { sed -n "s/.*\"$1\": \([0-9.e+-]*\).*/\1/p" r.json | head -n 1; }
 within() { awk -v x="$1" -v low="$2" -v high="$3" 'BEGIN { exit !(x >= low && x <= high) }'; }
 
-succeeds "30,000 terminals" grow "${inputs[@]}" --terminals 30000 -o tree.vtp --report r.json
-cat "$logs/out"
-expect "terminals: $(number terminals)" within "$(number terminals)" 29100 30900
-expect "ends outside: $(number ends)" test "$(number ends)" = 0
-expect "segments outside: $(number segments)" test "$(number segments)" = 0
-succeeds "the tree is sound" info tree.vtp
-expect "the tree has complaints" test -z "$(grep '^  ! ' "$logs/out")"
+for method in kitaoka centroid; do
+  succeeds "30,000 terminals by $method" grow "${inputs[@]}" --method $method --terminals 30000 \
+    -o $method.vtp --report r.json
+  cat "$logs/out"
+  expect "terminals: $(number terminals)" within "$(number terminals)" 29100 30900
+  expect "ends outside: $(number ends)" test "$(number ends)" = 0
+  expect "segments outside: $(number segments)" test "$(number segments)" = 0
+  expect "failed flow: $(number Q_f)" within "$(number Q_f)" 0 0.02
+  if [ $method = kitaoka ]; then
+    expect "mean gap: $(number gap_mean)" within "$(number gap_mean)" 0.4 0.55
+    expect "largest gap: $(number gap_max)" within "$(number gap_max)" 0.8 1.5
+  fi
+  succeeds "the tree of $method is sound" info $method.vtp
+  expect "the tree of $method has complaints" test -z "$(grep '^  ! ' "$logs/out")"
+done
 finish

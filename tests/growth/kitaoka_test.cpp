@@ -170,6 +170,34 @@ TEST(Kitaoka, RefusesATreeThatMemoryWouldNotHold) {
   }
 }
 
+TEST(Kitaoka, RefusesATrunkThatPointsOut) {
+  const Organ organ = simpleOrgan();
+  const std::vector<LobeRegion> lobes = {organ.region};
+  AirwayTree upwards;
+  Branch trunk = organ.central[0];
+  trunk.proximal = {0, 0, -80};
+  trunk.distal = {0, 0, -2};  // close below the apex
+  upwards.add(trunk);
+  try {
+    growByKitaoka(upwards, lobes, {});
+    FAIL() << "grew out of the organ";
+  } catch (const InvalidInput& error) {
+    EXPECT_THAT(error.what(), HasSubstr("points out"));
+    EXPECT_THAT(error.what(), HasSubstr("turn it round"));
+  }
+}
+
+TEST(Kitaoka, RefusesATrunkOutsideTheOrgan) {
+  const Organ organ = simpleOrgan();
+  const std::vector<LobeRegion> lobes = {organ.region};
+  AirwayTree outside;
+  Branch trunk = organ.central[0];
+  trunk.distal = {0, 0, 50};
+  trunk.proximal = {0, 0, 90};
+  outside.add(trunk);
+  EXPECT_THROW(growByKitaoka(outside, lobes, {}), InvalidInput);
+}
+
 TEST(Kitaoka, RefusesCrossedLimits) {
   const Organ organ = simpleOrgan();
   const std::vector<LobeRegion> lobes = {organ.region};

@@ -2,9 +2,12 @@
 
 #include <cmath>
 #include <set>
+#include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
+#include "anatomy/segment.h"
 #include "render/branch_colours.h"
 #include "render/colour_map.h"
 #include "render/generated_lungs.h"
@@ -79,11 +82,30 @@ TEST(ColourMap, HuangPaletteIsRedGreenBlueFromAbove) {
 }
 
 TEST(ColourMap, EighteenSegmentsHaveEighteenColours) {
-  for (std::uint8_t a = 0; a <= 18; ++a) {
-    for (std::uint8_t b = 0; b < a; ++b) {
-      EXPECT_GT(distance(segmentColour(a), segmentColour(b)), 12.0) << +a << " " << +b;
+  std::vector<Rgb> colours = {segmentColour(0)};
+  for (const Segment& segment : segments()) colours.push_back(segmentColour(segment.number));
+  for (std::size_t i = 0; i < colours.size(); ++i) {
+    for (std::size_t k = 0; k < i; ++k) {
+      EXPECT_GT(distance(colours[i], colours[k]), 12.0) << i << " " << k;
     }
   }
+}
+
+TEST(BranchColours, SegmentsAreNamedInTheirOrder) {
+  AirwayTree tree;
+  for (const std::uint8_t segment : {0, 20, 11, 10, 2, 17}) {
+    Branch branch;
+    branch.parent = tree.empty() ? -1 : 0;
+    branch.distal = Vec3(0.0, 0.0, -1.0);
+    branch.segment = segment;
+    tree.add(branch);
+  }
+  const BranchColours coloured =
+      branchColours(tree, std::vector<bool>(tree.size(), true), {.colourBy = ColourBy::Segment});
+  std::vector<std::string> labels;
+  for (const Legend::Chip& chip : coloured.legend.chips) labels.push_back(chip.label);
+  EXPECT_EQ(labels, (std::vector<std::string>{"RB2", "RB10", "LB1+2", "17", "LB10", "none"}));
+  EXPECT_EQ(coloured.colours[1], segmentColour(20));
 }
 
 TEST(BranchColours, ScaleSpansTheVisibleBranches) {

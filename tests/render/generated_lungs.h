@@ -7,6 +7,7 @@
 #include <numbers>
 #include <vector>
 
+#include "anatomy/segment.h"
 #include "render/scene.h"
 
 namespace pneuma::test {
@@ -68,6 +69,17 @@ inline std::vector<SceneSurface> generatedLobes() {
   return surfaces;
 }
 
+/// One of the first two segments of a lobe.
+inline std::uint8_t segmentOf(Lobe lobe, bool first) {
+  bool found = false;
+  for (const Segment& segment : segments()) {
+    if (segment.lobe != lobe) continue;
+    if (first || found) return segment.number;
+    found = true;
+  }
+  return 0;
+}
+
 /// Splits a branch in two, again and again, each time in the plane across the last one.
 inline void splitBranch(AirwayTree& tree, int parent, const Vec3& ahead, const Vec3& across,
                         double lengthMm, int depth) {
@@ -81,8 +93,7 @@ inline void splitBranch(AirwayTree& tree, int parent, const Vec3& ahead, const V
     branch.distal = branch.proximal + lengthMm * way;
     branch.radiusMm = 0.78 * mother.radiusMm;
     branch.lobe = mother.lobe;
-    branch.segment = static_cast<std::uint8_t>(
-        depth >= 5 ? (3 * static_cast<int>(mother.lobe) + (sign > 0.0 ? 1 : 2)) : mother.segment);
+    branch.segment = depth >= 5 ? segmentOf(mother.lobe, sign > 0.0) : mother.segment;
     const int index = tree.add(branch);
     splitBranch(tree, index, way, way.cross(across).normalized(), 0.83 * lengthMm, depth - 1);
   }
