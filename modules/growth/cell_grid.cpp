@@ -59,6 +59,7 @@ int CellGrid::lay(Region& region) {
   std::fill_n(masks_.bits, rows, all_);
   std::fill(masks_.bits + rows, masks_.bits + rows_, 0U);
   used_ = rows;
+  findPlanes();
   keepWalls(region);
   dropAncestors(region);
   keepOrgan(region);
@@ -165,23 +166,29 @@ void CellGrid::keepOrgan(Region& region) {
           region.organ->containsBox({low, low + size});
     }
   }
+  std::array<std::size_t, 30> tileOf{};
+  for (int i = 0; i < cells_; ++i) {
+    tileOf[static_cast<std::size_t>(i)] = static_cast<std::size_t>(i / tile);
+  }
   for (std::size_t row = 0; row < used_; ++row) {
     if (masks_.bits[row] == 0) continue;
-    const auto j = static_cast<int>(places_.j[row]);
-    const auto k = static_cast<int>(places_.k[row]);
-    if (inside[static_cast<std::size_t>(k / tile * TilesAcross + j / tile)]) continue;
-    const Vec3 start = first_ + Vec3(0.0, step_.y() * j, step_.z() * k);
+    const auto j = static_cast<std::size_t>(places_.j[row]);
+    const auto k = static_cast<std::size_t>(places_.k[row]);
+    if (inside[tileOf[k] * TilesAcross + tileOf[j]]) continue;
+    const Vec3 start =
+        first_ + Vec3(0.0, step_.y() * static_cast<double>(j), step_.z() * static_cast<double>(k));
     masks_.bits[row] = region.organ->insideAlongX(start, step_.x(), masks_.bits[row]);
   }
 }
 
-/// The rows, in whole steps, that may lie from `low` to `high` along z, in cells.
+/// The rows, in whole steps, that may lie from `low` to `high` along z, in cells. As they were when
+/// they were compacted last.
 std::pair<std::size_t, std::size_t> CellGrid::rowsBetween(double low, double high) const {
-  if (low <= 0.0 && high >= cells_ - 1) return {0, rows_};
-  const float* const k = places_.k;  // rising, as rows are laid plane after plane
-  const auto begin = static_cast<std::size_t>(std::lower_bound(k, k + used_, low) - k);
-  const auto end = static_cast<std::size_t>(std::upper_bound(k, k + used_, high) - k);
-  return {begin / RowStep * RowStep, (end + RowStep - 1) / RowStep * RowStep};
+  if (high < 0.0 || low > cells_ - 1) return {0, 0};
+  const auto first = static_cast<std::size_t>(std::max(0.0, std::ceil(low)));
+  const auto last = static_cast<std::size_t>(std::min(std::floor(high), cells_ - 1.0));
+  return {planeBegins_[first] / RowStep * RowStep,
+          (planeBegins_[last + 1] + RowStep - 1) / RowStep * RowStep};
 }
 
 /// Leaves out the rows without a cell.
@@ -195,8 +202,18 @@ void CellGrid::compact() {
     kept += mask != 0 ? 1 : 0;
   }
   used_ = kept;
+  findPlanes();
   rows_ = (kept + RowStep - 1) / RowStep * RowStep;
   std::fill(masks_.bits + kept, masks_.bits + rows_, 0U);
+}
+
+/// Rows are laid plane after plane: where does each begin?
+void CellGrid::findPlanes() {
+  std::size_t row = 0;
+  for (std::size_t k = 0; k <= static_cast<std::size_t>(cells_); ++k) {
+    while (row < used_ && places_.k[row] < static_cast<float>(k)) ++row;
+    planeBegins_[k] = row;
+  }
 }
 
 int CellGrid::countAll(const RowMasks& cells) const { return kernels_.cells(rows_, cells); }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <functional>
 #include <optional>
 #include <utility>
@@ -67,6 +68,7 @@ class CellGrid {
   void dropAncestors(Region& region);
   void keepOrgan(Region& region);
   void compact();
+  void findPlanes();
 
   int cells_;
   std::uint32_t all_;
@@ -74,8 +76,9 @@ class CellGrid {
   RowPlaces template_;
   RowPlaces places_;
   RowMasks masks_;
-  std::size_t used_ = 0;  ///< rows that may hold cells
-  std::size_t rows_ = 0;  ///< with padding, whose masks are empty
+  std::array<std::size_t, 31> planeBegins_{};  ///< first row of every plane
+  std::size_t used_ = 0;                       ///< rows that may hold cells
+  std::size_t rows_ = 0;                       ///< with padding, whose masks are empty
   int count_ = 0;
   Vec3 first_ = Vec3::Zero();  ///< centre of the cell (0, 0, 0)
   Vec3 step_ = Vec3::Ones();   ///< sides of a cell
