@@ -346,6 +346,7 @@ class Grower {
         {"rescued_led_round", number(counts.rescuedLedRound)},
         {"rescued_divisions", number(counts.rescuedDivisions)},
         {"divided_for_reach", number(counts.dividedForReach)},
+        {"divided_for_shape", number(counts.halvedForShape)},
         {"kept_inside", number(counts.keptInside)},
     };
     if (bare > 0) {

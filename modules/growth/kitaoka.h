@@ -64,7 +64,7 @@ struct KitaokaOptions {
   Switch rescue = Switch::On;
   double symmetry = 0.0;
   TerminalEnds terminalEnds = TerminalEnds::Centre;
-  double reach = 1.4;
+  double reach = 1.3;
   Containment containment = Containment::Branches;
 
   static constexpr auto fields() {
@@ -123,9 +123,9 @@ struct KitaokaOptions {
               "Terminals end as the rules say (rule) or at the centre of what they serve "
               "(centre)."},
         Field{"reach", &O::reach, "", Range{0.0, 10.0},
-              "A branch small enough to end divides on while its region reaches farther than this "
-              "from its centre, in spacings (edges of a cube of the mean terminal's volume); 0: it "
-              "ends."},
+              "A region that reaches farther than this from its centre is divided across its "
+              "longest way, whatever its flow; in edges of a cube of its own volume, at least of "
+              "the mean terminal's; 0: never."},
         Field{"containment", &O::containment, "", Range{},
               "What must stay inside its lobe: none (as the paper), ends, branches."},
     };

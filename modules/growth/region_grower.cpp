@@ -40,6 +40,7 @@ void RegionCounts::add(const RegionCounts& other) {
   rescuedLedRound += other.rescuedLedRound;
   rescuedDivisions += other.rescuedDivisions;
   dividedForReach += other.dividedForReach;
+  halvedForShape += other.halvedForShape;
   keptInside += other.keptInside;
   lengthToDiameter.add(other.lengthToDiameter);
   rotationDeg.add(other.rotationDeg);
@@ -118,9 +119,10 @@ void RegionGrower::addDaughter(const Sprout& parent, const Division& division, c
   branch.flow = parent.stem.flow * (sideA ? division.shareA : 1.0 - division.shareA);
   branch.diameterMm = rule6Diameter(branch.flow, trunkDiameterMm_, options_.diameterExponent);
   const bool large = branch.flow >= options_.flowThreshold;
-  const bool halves = !large && reachesTooFar(room);
+  const bool halves = reachesTooFar(room);
   const bool divides = large || halves;
-  counts_.dividedForReach += halves ? 1 : 0;
+  counts_.dividedForReach += halves && !large ? 1 : 0;
+  counts_.halvedForShape += halves && large ? 1 : 0;
 
   const Turn angle =
       branchingAngle(parent.stem, room, side, sideA ? division.angles.a : division.angles.b, large);
@@ -129,7 +131,7 @@ void RegionGrower::addDaughter(const Sprout& parent, const Division& division, c
                                                              branch.diameterMm, key, large);
   const Vec3& start = parent.stem.tip;
   const Vec3 tip = start + length * direction;
-  const RescuedTip place = placed(room, parent.stem, tip, branch.diameterMm, large);
+  const RescuedTip place = placed(room, parent.stem, tip, branch.diameterMm, large && !halves);
   if (place.by.has_value()) {
     branch.tip = *place.by;
     branches.push_back(branch);
@@ -189,11 +191,13 @@ double RegionGrower::lengthToDiameter(const DaughterRoom& room, const Stem& pare
                                 options_);
 }
 
-/// Beyond the paper: does what a terminal would serve reach too far from its centre?
+/// Beyond the paper: does the daughter's region reach too far from its centre? The rules only ever
+/// divide along the parent, so that a long region ahead of it would become a sheaf of thin ones.
 bool RegionGrower::reachesTooFar(const DaughterRoom& room) const {
   constexpr int LeastCells = 8;  // fewer could not be divided well
   if (options_.reach <= 0.0 || room.count < LeastCells) return false;
-  const double reach = options_.reach * spacingMm_;
+  const double ownMm = std::cbrt(room.count * grid_.cellMm3());
+  const double reach = options_.reach * std::max(spacingMm_, ownMm);
   const Vec3 centre = grid_.centroidOf(room.cells);
   const Box3 box = grid_.boxOf(room.cells);  // one cell wider than the cells
   if ((box.max() - centre).cwiseMax(centre - box.min()).norm() <= reach) return false;

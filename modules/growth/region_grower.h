@@ -25,7 +25,7 @@ struct Sprout {
   Region region;
   std::uint64_t key = 0;  ///< names the branch whatever the order of growth, for random changes
   bool given = false;     ///< a central airway: its tip may lie anywhere (rule 9 does not apply)
-  bool halve = false;     ///< beyond the paper: carries little, but its region reaches too far
+  bool halve = false;     ///< beyond the paper: its region reaches too far
 };
 
 /// Mean and standard deviation of what was seen, summed in the order of growth.
@@ -56,6 +56,7 @@ struct RegionCounts {
   std::size_t rescuedDivisions = 0;
   std::size_t dividedForReach = 0;  ///< small enough to end, but their region reaches too far
   std::size_t keptInside = 0;       ///< branches cut short so that they stay inside the organ
+  std::size_t halvedForShape = 0;   ///< large enough to go on, but their region is too long
   Spread lengthToDiameter;          ///< of all branches
   Spread rotationDeg;               ///< of all divisions
 
@@ -94,8 +95,8 @@ class RegionGrower {
                           double diameterMm, std::uint64_t key, bool divides) const;
   bool reachesTooFar(const DaughterRoom& room) const;
 
-  RescuedTip placed(const DaughterRoom& room, const Stem& parent, const Vec3& tip, double diameterMm,
-                    bool divides);
+  RescuedTip placed(const DaughterRoom& room, const Stem& parent, const Vec3& tip,
+                    double diameterMm, bool divides);
   double rotationDeg(const Sprout& sprout) const;
 
   const KitaokaOptions& options_;

@@ -66,7 +66,7 @@ std::optional<RescuedTip> rescuedTip(const DaughterRoom& room, const Vec3& start
     const Vec3 tip = start + (centre - start) * std::min(1.0, part * length / toCentre);
     if (serves(tip)) return RescuedTip{tip, Rescue::Turned};
   }
-  const std::optional<Vec3> cell = room.grid.nearestCentre(room.cells, centre, serves);
+  const std::optional<Vec3> cell = room.grid.nearestCentre(room.cells, start, serves);
   if (cell.has_value()) return RescuedTip{*cell, Rescue::Reentered};
   return ledRound(room, start);
 }
