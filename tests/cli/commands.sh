@@ -46,6 +46,10 @@ succeeds "grow without central airways, JSON" grow chest --terminals 2000 -o t.s
 keeps growth
 succeeds "grow in an organ" grow --organ right-lung --method centroid --points 5000 -o organ.json --json
 keeps growth
+succeeds "grow in the thorax" grow --organ thorax --set flow-threshold=0.001 -o thorax.vtp
+prints 'outside their lobe: 0 ends, 0 branches'
+succeeds "grow in the thorax with a table of one's own" grow --organ thorax --set flow-threshold=0.001 \
+  --airway-table "$(dirname "$0")/../../resources/airways/thorax-tuned.json" -o tuned.vtp
 succeeds "a quiet growth" grow chest --method centroid --points 3000 -o quiet.csv -q
 expect "a quiet growth says something" test ! -s "$logs/out" -a ! -s "$logs/err"
 succeeds "a talkative growth" grow chest --method centroid --points 3000 -o loud.csv -v

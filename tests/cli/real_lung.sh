@@ -11,13 +11,13 @@ else
   inputs=(lobes)
 fi
 
-# number KEY: the first number under this key of the report.
-number() { sed -n "s/.*\"$1\": \([0-9.e+-]*\).*/\1/p" r.json | head -n 1; }
+# number KEY: the first number under this key of the report of $method.
+number() { sed -n "s/.*\"$1\": \([0-9.e+-]*\).*/\1/p" "$method.json" | head -n 1; }
 within() { awk -v x="$1" -v low="$2" -v high="$3" 'BEGIN { exit !(x >= low && x <= high) }'; }
 
 for method in kitaoka centroid; do
   succeeds "30,000 terminals by $method" grow "${inputs[@]}" --method $method --terminals 30000 \
-    -o $method.vtp --report r.json
+    -o $method.vtp --report $method.json
   cat "$logs/out"
   expect "terminals: $(number terminals)" within "$(number terminals)" 29100 30900
   expect "ends outside: $(number ends)" test "$(number ends)" = 0
