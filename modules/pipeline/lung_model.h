@@ -48,7 +48,7 @@ struct LungModel {
   std::shared_ptr<const AirwayTree> central;                 ///< null if there are no airways yet
   std::shared_ptr<const Growth> growth;                      ///< null until grown
   std::shared_ptr<const AirwayTree> opened;  ///< a tree that was opened to be looked at
-  EfficiencyCubes cubes;  ///< in which the paper's C_n is counted
+  EfficiencyCubes cubes;                     ///< in which the paper's C_n is counted
   std::vector<InputFile> inputs;
   std::vector<std::string> warnings;  ///< whole sentences for the user
   double readSeconds = 0.0;
