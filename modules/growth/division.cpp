@@ -89,7 +89,7 @@ std::optional<Division> rule8aTurned(const CellGrid& grid, const Stem& stem, dou
 Division rescued(const CellGrid& grid, const Stem& stem, double rotationDeg,
                  const KitaokaOptions& options) {
   Division division = divideAt(grid, stem, rotationDeg, options);
-  bendFor(division, std::max(2.0 * options.ratioThreshold, 0.1), grid, stem, options);
+  bendFor(division, std::clamp(2.0 * options.ratioThreshold, 0.1, 0.5), grid, stem, options);
   division.rescued = true;
   return division;
 }

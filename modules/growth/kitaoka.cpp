@@ -31,7 +31,7 @@ constexpr double BytesPerBranch = 3.0 * (sizeof(Branch) + sizeof(RegionBranch));
 
 std::string rounded(double value) {
   std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.2g", value);
+  std::snprintf(text.data(), text.size(), "%.3g", value);
   return text.data();
 }
 
@@ -58,6 +58,11 @@ void requirePossible(const KitaokaOptions& options) {
     throw InvalidOption("min-distance-to-length (" + textOf(options.minDistanceToLength) +
                         ") must not be larger than max-distance-to-length (" +
                         textOf(options.maxDistanceToLength) + ")");
+  }
+  if (options.reach > 0.0 && options.reach < 1.0) {
+    throw InvalidOption("reach must be 0 (never) or lie in [1, 10], but is " +
+                        textOf(options.reach) +
+                        ": hardly any region reaches less far, and division would not end");
   }
   requireMemoryFor(options);
 }

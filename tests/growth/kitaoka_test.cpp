@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "anatomy/central_airways.h"
 #include "anatomy/efficiency.h"
 #include "anatomy/organ.h"
 #include "anatomy/validation.h"
@@ -204,6 +205,30 @@ TEST(Kitaoka, RefusesCrossedLimits) {
   EXPECT_THROW(
       growByKitaoka(organ.central, lobes, {.minDistanceToLength = 6.0, .maxDistanceToLength = 3.0}),
       InvalidOption);
+}
+
+TEST(Kitaoka, RefusesAReachThatNoRegionKeeps) {
+  const Organ organ = simpleOrgan();
+  const std::vector<LobeRegion> lobes = {organ.region};
+  EXPECT_THROW(growByKitaoka(organ.central, lobes, {.reach = 0.2}), InvalidOption);
+}
+
+TEST(Kitaoka, ReachKeepsSheavesOfLongTerminalsFromALongOrgan) {
+  const std::vector<LobeRegion> lobes = {
+      {Lobe::Whole, testing::box({-120, -20, -60}, {120, 20, 0})}};
+  const AirwayTree central = templateAirways(lobes);
+  KitaokaOptions options;
+  options.terminals = 1000;
+  const auto longestTerminalMm = [&](double reach) {
+    options.reach = reach;
+    const AirwayTree tree = growByKitaoka(central, lobes, options).tree;
+    double longest = 0.0;
+    for (const Branch& branch : tree) {
+      if (branch.ending != Ending::None) longest = std::max(longest, lengthMm(branch));
+    }
+    return longest;
+  };
+  EXPECT_LT(longestTerminalMm(1.3), 0.7 * longestTerminalMm(0.0));
 }
 
 }  // namespace
