@@ -66,7 +66,11 @@ bool SimpleOrgan::containsSegment(const Vec3& a, const Vec3& b) const {
   return contains(a) && contains(b);  // it is convex
 }
 
-bool SimpleOrgan::containsBox(const Box3& box) const { return containsCorners(*this, box); }
+bool SimpleOrgan::containsBox(const Box3& box) const {
+  // Symmetric about its axis planes: the corner farthest from both decides, above and below.
+  const Vec3 far = box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs());
+  return contains({far.x(), far.y(), box.max().z()}) && contains({far.x(), far.y(), box.min().z()});
+}
 
 double SimpleOrgan::distanceToWall(const Vec3& p) const {
   if (!contains(p)) return 0.0;

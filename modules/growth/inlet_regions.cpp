@@ -118,6 +118,14 @@ class LobeDivider {
   std::vector<Sprout>& sprouts_;
 };
 
+/// The normal from which the first branching plane, turned by the rotation angle, contains the
+/// direction along which the organ is widest.
+Vec3 firstNormal(const Box3& box, const Vec3& direction, double rotationDeg) {
+  const Turn rotation = Turn::ofDegrees(rotationDeg);
+  const Vec3 widest = widestAcross(box, direction);
+  return rotation.sine * widest - rotation.cosine * widest.cross(direction);
+}
+
 /// The only inlet of a lobe must lead somewhere. @pre `grid` lies on the whole lobe
 void requireTrunkPointsIn(const AirwayTree& central, std::span<const Inlet> inlets,
                           std::size_t region, const LobeRegion& lobe, const CellGrid& grid) {
@@ -230,7 +238,8 @@ std::vector<Sprout> inletSprouts(const AirwayTree& central, std::span<const Inle
     const Domain& organ = *lobes[region].domain;
     Sprout whole;
     whole.given = true;
-    whole.stem = {central[0].distal, rootDirection, widestAcross(organ.bounds(), rootDirection),
+    whole.stem = {central[0].distal, rootDirection,
+                  firstNormal(organ.bounds(), rootDirection, options.rotationDeg),
                   organ.volumeMm3() / volume};
     whole.region.organ = &organ;
     whole.region.box = organ.bounds();

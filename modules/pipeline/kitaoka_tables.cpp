@@ -205,7 +205,7 @@ KitaokaTable rotationTable() {
           {{"90", {}, joined(allRules(), allRulesRotation())},
            row(81, figures(from81, limits), 83, 13),
            row(72, figures(from72, limits), 76, 16),
-           row(45, chaotic(figures(from45, limits)), 52, 25)}};
+           row(45, figures(from45, limits), 52, 25)}};
 }
 
 KitaokaTable distanceTable() {

@@ -32,6 +32,8 @@ TEST_P(OrganShape, RowsAgreeWithPoints) { testing::expectRowsAgree(*GetParam().d
 
 TEST_P(OrganShape, WaysEndAtTheWall) { testing::expectExitsAgree(*GetParam().domain); }
 
+TEST_P(OrganShape, HoldsTheBoxesItSaysItHolds) { testing::expectBoxesAgree(*GetParam().domain); }
+
 TEST_P(OrganShape, WallIsNoNearerThanSaid) {
   testing::expectWallIsNoNearer(*GetParam().domain, GetParam().leastShare);
 }

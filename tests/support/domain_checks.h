@@ -82,6 +82,27 @@ inline void expectWallIsNoNearer(const Domain& domain, double leastShare) {
   EXPECT_GT(shares / Points, leastShare);
 }
 
+/// A box that is said to lie inside holds no point outside, and small boxes in the middle are
+/// found.
+inline void expectBoxesAgree(const Domain& domain) {
+  Random random(5);
+  int held = 0;
+  for (int trial = 0; trial < 2000; ++trial) {
+    const Vec3 corner = randomInside(random, domain);
+    const Vec3 size = random.uniform(0.01, 0.4) * domain.bounds().sizes();
+    const Box3 box(corner - size, corner);
+    if (!domain.containsBox(box)) continue;
+    ++held;
+    for (int point = 0; point < 50; ++point) {
+      ASSERT_TRUE(domain.contains(randomPoint(random, box))) << trial;
+    }
+    for (int i = 0; i < 8; ++i) {
+      ASSERT_TRUE(domain.contains(box.corner(static_cast<Box3::CornerType>(i)))) << trial;
+    }
+  }
+  EXPECT_GT(held, 100);
+}
+
 /// The volume by a lattice of points `stepMm` apart, mm^3.
 inline double latticeVolumeMm3(const Domain& domain, double stepMm) {
   const Box3 box = domain.bounds();
