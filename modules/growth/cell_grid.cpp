@@ -193,14 +193,7 @@ std::pair<std::size_t, std::size_t> CellGrid::rowsBetween(double low, double hig
 
 /// Leaves out the rows without a cell.
 void CellGrid::compact() {
-  std::size_t kept = 0;
-  for (std::size_t row = 0; row < used_; ++row) {
-    const std::uint32_t mask = masks_.bits[row];
-    masks_.bits[kept] = mask;
-    places_.j[kept] = places_.j[row];
-    places_.k[kept] = places_.k[row];
-    kept += mask != 0 ? 1 : 0;
-  }
+  const std::size_t kept = kernels_.compact(places_, used_, masks_);
   used_ = kept;
   findPlanes();
   rows_ = (kept + RowStep - 1) / RowStep * RowStep;

@@ -93,6 +93,8 @@ struct RowKernels {
   /// Number of cells.
   int (*cells)(std::size_t rows, const RowMasks& masks);
   RowMoments (*moments)(const RowPlaces& places, std::size_t rows, const RowMasks& masks);
+  /// Leaves out the rows without a cell, of the first `used`, and returns how many are left.
+  std::size_t (*compact)(RowPlaces& places, std::size_t used, RowMasks& masks);
   RowExtent (*extent)(const RowPlaces& places, std::size_t rows, const RowMasks& masks);
 };
 

@@ -5,6 +5,10 @@
 
 #include "growth/row_kernels.h"
 
+#ifdef __AVX512F__
+#include <immintrin.h>
+#endif
+
 namespace pneuma::detail {
 namespace {
 
@@ -171,6 +175,34 @@ RowMoments moments(const RowPlaces& places, std::size_t rows, const RowMasks& ma
   return {cells, i, j, k};
 }
 
+std::size_t compact(RowPlaces& places, std::size_t used, RowMasks& masks) {
+  std::size_t kept = 0;
+#ifdef __AVX512F__
+  // Whole vectors are written: what lies behind the rows kept so far has been read.
+  for (std::size_t row = 0; row < used; row += 16) {
+    const auto inUse =
+        static_cast<__mmask16>(used - row >= 16 ? 0xFFFFU : (1U << (used - row)) - 1U);
+    const __m512i bits = _mm512_maskz_loadu_epi32(inUse, masks.bits + row);
+    const __m512 j = _mm512_loadu_ps(places.j + row);
+    const __m512 k = _mm512_loadu_ps(places.k + row);
+    const __mmask16 held = _mm512_test_epi32_mask(bits, bits);
+    _mm512_storeu_si512(masks.bits + kept, _mm512_maskz_compress_epi32(held, bits));
+    _mm512_storeu_ps(places.j + kept, _mm512_maskz_compress_ps(held, j));
+    _mm512_storeu_ps(places.k + kept, _mm512_maskz_compress_ps(held, k));
+    kept += static_cast<std::size_t>(__builtin_popcount(held));
+  }
+#else
+  for (std::size_t row = 0; row < used; ++row) {
+    const std::uint32_t mask = masks.bits[row];
+    masks.bits[kept] = mask;
+    places.j[kept] = places.j[row];
+    places.k[kept] = places.k[row];
+    kept += mask != 0 ? 1 : 0;
+  }
+#endif
+  return kept;
+}
+
 RowExtent extent(const RowPlaces& places, std::size_t rows, const RowMasks& masks) {
   constexpr float Far = 1e6F;
   std::uint32_t i = 0;
@@ -196,7 +228,7 @@ RowExtent extent(const RowPlaces& places, std::size_t rows, const RowMasks& mask
 
 const RowKernels& PNEUMA_ROW_KERNELS() {
   static constexpr RowKernels Kernels = {
-      PNEUMA_ROW_KERNELS_NAME, select, count, drop, cells, moments, extent};
+      PNEUMA_ROW_KERNELS_NAME, select, count, drop, cells, moments, compact, extent};
   return Kernels;
 }
 
