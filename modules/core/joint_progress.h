@@ -8,7 +8,8 @@
 
 namespace pneuma {
 
-/// The progress of tasks that run at the same time: the mean of theirs. A wish to stop reaches all.
+/// The progress of tasks that run at the same time: the mean of theirs. A wish to stop reaches all,
+/// and what any of them has placed is passed on.
 class JointProgress {
  public:
   JointProgress(const Progress& whole, std::size_t tasks);
@@ -26,6 +27,10 @@ class JointProgress {
     void report(double fraction, std::string_view what) override;
 
     bool stopRequested() const override { return joint_.whole_.stopRequested(); }
+
+    void placed(std::span<const Vec3> points) override { joint_.whole_.placed(points); }
+
+    bool wantsPoints() const override { return joint_.whole_.wantsPoints(); }
 
    private:
     JointProgress& joint_;

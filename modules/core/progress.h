@@ -1,14 +1,16 @@
 #pragma once
 
 #include <algorithm>
+#include <span>
 #include <string_view>
 
 #include "core/error.h"
+#include "core/math.h"
 
 namespace pneuma {
 
 /// Where progress is shown and where a wish to stop comes from: a terminal, a window, a test.
-/// Both functions may be called from any thread.
+/// Its functions may be called from any thread.
 class ProgressSink {
  public:
   virtual ~ProgressSink() = default;
@@ -17,6 +19,13 @@ class ProgressSink {
   virtual void report(double fraction, std::string_view what) = 0;
 
   virtual bool stopRequested() const = 0;
+
+  /// Points that the work has placed since it last told, LPS, mm, for those who show growth as it
+  /// happens. They are the caller's again afterwards.
+  virtual void placed(std::span<const Vec3> /*points*/) {}
+
+  /// False if placed() does nothing: then nobody needs to be told.
+  virtual bool wantsPoints() const { return false; }
 };
 
 /// Report and stop in one value, always the last parameter of long work.
@@ -40,6 +49,14 @@ class Progress {
   void throwIfStopped() const {
     if (stopRequested()) throw Cancelled();
   }
+
+  /// Tells points that were placed since it was last told, LPS, mm. Never throws Cancelled.
+  void placed(std::span<const Vec3> points) const {
+    if (wantsPoints()) sink_->placed(points);
+  }
+
+  /// True if somebody shows them; collect none otherwise. Does not change while the work runs.
+  bool wantsPoints() const { return sink_ != nullptr && sink_->wantsPoints(); }
 
   /// The part [from, to] of this piece of work, to be handed to a sub-step called `what`.
   /// `what` must outlive the part (a string literal does).

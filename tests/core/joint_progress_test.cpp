@@ -49,5 +49,17 @@ TEST(JointProgress, PassesAWishToStopToEveryTask) {
   EXPECT_THROW(joint.task(1).report(0.1), Cancelled);
 }
 
+TEST(JointProgress, PassesOnWhatAnyTaskPlaces) {
+  ProgressRecorder recorder;
+  JointProgress joint{Progress(recorder), 50};
+  ASSERT_TRUE(joint.task(0).wantsPoints());
+  parallelFor(50, [&](std::size_t i) {
+    joint.task(i).placed(std::vector<Vec3>{Vec3(static_cast<double>(i), 0, 0)});
+  });
+  EXPECT_EQ(recorder.points().size(), 50U);
+  JointProgress unseen{Progress(), 1};
+  EXPECT_FALSE(unseen.task(0).wantsPoints());
+}
+
 }  // namespace
 }  // namespace pneuma

@@ -2,6 +2,7 @@
 
 #include <string>
 #include <type_traits>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -20,6 +21,8 @@ TEST(Progress, IsSilentUnlessSomebodyListens) {
   EXPECT_NO_THROW(silent.report(0.5));
   EXPECT_NO_THROW(silent.throwIfStopped());
   EXPECT_NO_THROW(silent.part(0.0, 0.5, "a step").report(1.0));
+  EXPECT_FALSE(silent.wantsPoints());
+  EXPECT_NO_THROW(silent.placed(std::vector<Vec3>{Vec3::Zero()}));
 }
 
 TEST(Progress, PartsReportTheirShareOfTheWhole) {
@@ -70,6 +73,28 @@ TEST(Progress, NamesTheStep) {
   EXPECT_EQ(sink.last, "reading");
   whole.report(0.6);
   EXPECT_EQ(sink.last, "");
+}
+
+TEST(Progress, TellsWhatIsPlacedToThoseWhoShowIt) {
+  ProgressRecorder recorder;
+  const Progress part = Progress(recorder).part(0.2, 0.6, "growing");
+  ASSERT_TRUE(part.wantsPoints());
+  part.placed(std::vector<Vec3>{Vec3(1, 2, 3), Vec3(4, 5, 6)});
+  part.placed({});
+  part.placed(std::vector<Vec3>{Vec3(7, 8, 9)});
+  EXPECT_THAT(recorder.points(), ElementsAre(Vec3(1, 2, 3), Vec3(4, 5, 6), Vec3(7, 8, 9)));
+}
+
+TEST(Progress, TellsNoPointsToThoseWhoShowNone) {
+  SinkWithNames sink;
+  const Progress whole(sink);
+  EXPECT_FALSE(whole.wantsPoints());
+  EXPECT_NO_THROW(whole.placed(std::vector<Vec3>{Vec3::Zero()}));
+}
+
+TEST(Progress, TellsPointsAfterAWishToStop) {
+  ProgressRecorder stop(0.0);
+  EXPECT_NO_THROW(Progress(stop).placed(std::vector<Vec3>{Vec3::Zero()}));
 }
 
 }  // namespace
