@@ -1,8 +1,8 @@
 #include "pipeline/measure_report.h"
 
 #include <algorithm>
-#include <utility>
-#include <vector>
+
+#include "pipeline/figure_table.h"
 
 namespace pneuma {
 namespace {
@@ -19,44 +19,10 @@ Json toJson(const OrderRatios& ratios) {
           {"counts", ratios.counts}};
 }
 
-using Figures = std::vector<std::pair<std::string, double>>;
-
-/// The numbers in `json`, their keys joined by dots; items of a list go by their place, 1, 2, ...
-void appendFigures(const std::string& key, const Json& json, Figures& figures) {
-  if (json.is_number()) figures.emplace_back(key, json.get<double>());
-  const std::string prefix = key.empty() ? "" : key + ".";
-  if (json.is_object()) {
-    for (const auto& [name, member] : json.items()) appendFigures(prefix + name, member, figures);
-  }
-  if (json.is_array()) {
-    for (std::size_t i = 0; i < json.size(); ++i) {
-      appendFigures(prefix + std::to_string(i + 1), json[i], figures);
-    }
-  }
-}
-
-Figures figuresOf(const Morphometry& morphometry) {
-  Figures figures;
-  appendFigures("", toJson(morphometry), figures);
-  return figures;
-}
-
-std::string quoted(std::string_view text) {
-  std::string result = "\"";
-  for (const char c : text) result += c == '"' ? "\"\"" : std::string(1, c);
-  return result + "\"";
-}
-
 void appendCsv(std::string_view region, const Morphometry& morphometry,
                std::span<const PublishedBand> bands, std::string& csv) {
   for (const auto& [key, value] : figuresOf(morphometry)) {
-    csv += std::string(region) + "," + key + "," + textOf(value) + ",";
-    const auto band = std::ranges::find(bands, key, &PublishedBand::quantity);
-    if (band == bands.end()) {
-      csv += ",,\n";
-    } else {
-      csv += textOf(band->low) + "," + textOf(band->high) + "," + quoted(band->source) + "\n";
-    }
+    csv += std::string(region) + "," + key + "," + textOf(value) + "," + csvBand(bands, key) + "\n";
   }
 }
 
