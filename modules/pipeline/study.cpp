@@ -1,19 +1,17 @@
 #include "pipeline/study.h"
 
 #include <algorithm>
-#include <thread>
 
 #include "anatomy/branch_order.h"
 #include "core/error.h"
 #include "core/joint_progress.h"
-#include "core/memory.h"
 #include "core/parallel.h"
+#include "pipeline/trees_at_once.h"
 
 namespace pneuma {
 namespace {
 
 constexpr std::size_t MostSeeds = 10000;
-constexpr double BytesPerBranch = 600.0;  // a tree with what is computed from it, at its peak
 
 using Figures = std::vector<std::pair<std::string, double>>;
 
@@ -64,16 +62,6 @@ Figures figuresOf(const Growth& growth) {
   addTerminals(figures, growth.result.tree);
   for (const auto& figure : growth.result.figures) figures.push_back(figure);
   return figures;
-}
-
-/// Trees of `branches` branches that may be grown at the same time: one per core, in at most half
-/// of the memory that is free.
-std::size_t treesAtOnce(std::size_t branches) {
-  const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
-  const auto freeBytes = static_cast<double>(availableMemoryBytes());
-  const double trees = freeBytes / 2.0 / (BytesPerBranch * static_cast<double>(branches));
-  if (trees >= static_cast<double>(cores)) return cores;
-  return std::max<std::size_t>(1, static_cast<std::size_t>(trees));
 }
 
 std::vector<StudyQuantity> quantitiesOf(const std::vector<StudyRow>& rows) {
