@@ -48,11 +48,4 @@ std::vector<PaperPicture> paperPictures(const Reproduction& reproduction,
   return pictures;
 }
 
-void requireDisplay() {
-  if (canRender()) return;
-  throw NoRendering(
-      "there is no display to render with; put 'xvfb-run -a' before the command, or start it where "
-      "DISPLAY is set");
-}
-
 }  // namespace pneuma::cli

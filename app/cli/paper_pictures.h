@@ -23,7 +23,4 @@ std::vector<std::string_view> paperPictureNames(std::string_view paper);
 /// @throws NoRendering, Cancelled
 std::vector<PaperPicture> paperPictures(const Reproduction& reproduction, const Progress& progress);
 
-/// @throws NoRendering saying how to get a display
-void requireDisplay();
-
 }  // namespace pneuma::cli

@@ -2,10 +2,10 @@
 #include <iostream>
 #include <memory>
 
-#include "cli/arguments.h"
 #include "cli/command.h"
 #include "cli/files.h"
 #include "cli/paper_pictures.h"
+#include "cli/picture_arguments.h"
 #include "cli/text.h"
 #include "pipeline/reproduce.h"
 #include "render/picture.h"
