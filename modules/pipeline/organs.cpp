@@ -12,6 +12,7 @@
 #include "growth/predefined_growth.h"
 #include "io/airway_table.h"
 #include "io/atomic_file.h"
+#include "pipeline/domain_surface.h"
 
 namespace pneuma {
 namespace {
@@ -89,6 +90,20 @@ LungModel openOrgan(std::string_view name, const OrganOptions& options) {
     model.inputs.push_back({options.airwayTable.string(), sha256(readFile(options.airwayTable))});
   }
   return model;
+}
+
+std::shared_ptr<const std::vector<LobeSurface>> surfacesOf(const std::vector<LobeRegion>& regions,
+                                                           double cellMm) {
+  auto surfaces = std::make_shared<std::vector<LobeSurface>>();
+  for (const LobeRegion& region : regions) {
+    LobeSurface surface;
+    surface.lobe = region.lobe;
+    surface.name = shortName(region.lobe);
+    surface.mesh = std::make_shared<const TriangleMesh>(surfaceOf(*region.domain, cellMm));
+    surface.health = examine(*surface.mesh, SelfIntersections::Skip);
+    surfaces->push_back(std::move(surface));
+  }
+  return surfaces;
 }
 
 }  // namespace pneuma

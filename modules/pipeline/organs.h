@@ -1,9 +1,11 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <span>
 #include <string_view>
 #include <tuple>
+#include <vector>
 
 #include "core/options.h"
 #include "pipeline/lung_model.h"
@@ -31,5 +33,9 @@ std::span<const std::string_view> organNames();
 /// @throws InvalidOption for an unknown name, a size out of range, or a table for the right lung;
 ///         InputMissing, InvalidInput (see readAirwayTable, growPredefined; a size no organ has)
 LungModel openOrgan(std::string_view name, const OrganOptions& options = {});
+
+/// The regions of an organ as closed surfaces, for pictures; sampled on a lattice of `cellMm`.
+std::shared_ptr<const std::vector<LobeSurface>> surfacesOf(const std::vector<LobeRegion>& regions,
+                                                           double cellMm);
 
 }  // namespace pneuma

@@ -5,7 +5,6 @@
 
 #include "anatomy/branch_order.h"
 #include "core/units.h"
-#include "pipeline/domain_surface.h"
 #include "pipeline/organs.h"
 #include "pipeline/reproduce_paper.h"
 
@@ -88,21 +87,6 @@ PaperStatistics statistics(const AirwayTree& tree, std::optional<Lobe> lobe) {
   return sums;
 }
 
-/// The organ's lobes as surfaces, for the paper's first figure.
-std::shared_ptr<const std::vector<LobeSurface>> organSurfaces(
-    const std::vector<LobeRegion>& regions) {
-  auto surfaces = std::make_shared<std::vector<LobeSurface>>();
-  for (const LobeRegion& region : regions) {
-    LobeSurface surface;
-    surface.lobe = region.lobe;
-    surface.name = shortName(region.lobe);
-    surface.mesh = std::make_shared<const TriangleMesh>(surfaceOf(*region.domain, 2.0));
-    surface.health = examine(*surface.mesh, SelfIntersections::Skip);
-    surfaces->push_back(std::move(surface));
-  }
-  return surfaces;
-}
-
 void addColumn(const TableColumn& column, const AirwayTree& tree, ReproducedTable& table) {
   const PaperStatistics lobe = statistics(tree, Lobe::RightMiddle);
   std::array<char, 8> name{};
@@ -163,7 +147,7 @@ void reproduceHuang(const ReproduceOptions& options, Reproduction& result,
     if (columns[i].ratio != ChosenRatio) continue;
     addWholeLung(*grown.growth, lung);
     if (!options.figures) continue;
-    grown.surfaces = organSurfaces(*grown.regions);
+    grown.surfaces = surfacesOf(*grown.regions, 2.0);
     result.figures.push_back({"lung", std::move(grown)});
   }
   for (ReproducedTable* table : {&lobe, &lung}) {

@@ -33,6 +33,20 @@ TEST(Organs, HaveTheSizeAskedFor) {
   }
 }
 
+TEST(Organs, SurfacesHoldWhatTheRegionsHold) {
+  const LungModel lung = openOrgan("right-lung");
+  const auto surfaces = surfacesOf(*lung.regions, 2.0);
+  ASSERT_EQ(surfaces->size(), lung.regions->size());
+  for (std::size_t i = 0; i < surfaces->size(); ++i) {
+    const LobeSurface& surface = (*surfaces)[i];
+    EXPECT_EQ(surface.lobe, (*lung.regions)[i].lobe);
+    EXPECT_TRUE(surface.health.closed) << surface.name;
+    const double volume = (*lung.regions)[i].domain->volumeMm3();
+    // Smoothing over two cells rounds the edges.
+    EXPECT_NEAR(signedVolumeMm3(*surface.mesh), volume, 0.03 * volume) << surface.name;
+  }
+}
+
 TEST(Organs, ThoraxHasEveryNamedSegment) {
   const LungModel thorax = openOrgan("thorax");
   const AirwayTree& central = *thorax.central;
