@@ -34,6 +34,12 @@ void makeShiny(vtkActor* actor) {
   property->SetInterpolationToPhong();
 }
 
+void addLobes(const AirwayTree& tree, const std::vector<bool>& visible, std::set<Lobe>& lobes) {
+  for (std::size_t i = 0; i < tree.size(); ++i) {
+    if (visible[i]) lobes.insert(tree[i].lobe);
+  }
+}
+
 /// True if tubes or their colours would come out differently.
 bool differInTubes(const SceneOptions& a, const SceneOptions& b) {
   return a.colourBy != b.colourBy || a.palette != b.palette || a.background != b.background ||
@@ -59,6 +65,11 @@ void AirwayLayer::setTree(std::shared_ptr<const AirwayTree> tree, const SceneOpt
   if (tree_ != nullptr && tree_->empty()) tree_.reset();
   options_ = options;
   selected_.reset();
+  rebuild();
+}
+
+void AirwayLayer::setPeers(std::vector<std::shared_ptr<const AirwayTree>> peers) {
+  peers_ = std::move(peers);
   rebuild();
 }
 
@@ -88,10 +99,11 @@ void AirwayLayer::rebuild() {
   lobes_.clear();
   if (tree_ != nullptr) {
     visible_ = branchesUpTo(*tree_, options_.maxGeneration);
-    for (std::size_t i = 0; i < tree_->size(); ++i) {
-      if (visible_[i]) lobes_.insert((*tree_)[i].lobe);
+    addLobes(*tree_, visible_, lobes_);
+    for (const auto& peer : peers_) {
+      addLobes(*peer, branchesUpTo(*peer, options_.maxGeneration), lobes_);
     }
-    colours_ = branchColours(*tree_, visible_, options_);
+    colours_ = branchColours(*tree_, visible_, options_, peers_);
     show(tubes_, polyDataOf(tubeMesh(*tree_, visible_, colours_.colours,
                                      {.radiusScale = options_.radiusScale})));
   }

@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <span>
 #include <vector>
 
 #include <vtkActor.h>
@@ -24,6 +25,9 @@ class AirwayLayer {
   /// Null for no tree.
   void setTree(std::shared_ptr<const AirwayTree> tree, const SceneOptions& options);
 
+  /// Trees whose values the colours of this one must stand beside. None of them may be null.
+  void setPeers(std::vector<std::shared_ptr<const AirwayTree>> peers);
+
   /// Rebuilds colours and tubes as far as the options ask for it.
   void setOptions(const SceneOptions& options);
 
@@ -33,10 +37,12 @@ class AirwayLayer {
 
   const AirwayTree* tree() const { return tree_.get(); }
 
+  std::span<const std::shared_ptr<const AirwayTree>> peers() const { return peers_; }
+
   /// One entry per branch.
   const std::vector<bool>& visible() const { return visible_; }
 
-  /// The lobes of the visible branches.
+  /// The lobes of the visible branches, the peers' too.
   const std::set<Lobe>& lobes() const { return lobes_; }
 
   const Legend& legend() const { return colours_.legend; }
@@ -47,6 +53,7 @@ class AirwayLayer {
   void buildSelection();
 
   std::shared_ptr<const AirwayTree> tree_;
+  std::vector<std::shared_ptr<const AirwayTree>> peers_;
   SceneOptions options_;
   std::vector<bool> visible_;
   std::set<Lobe> lobes_;

@@ -12,6 +12,8 @@
 namespace pneuma {
 namespace {
 
+using Peers = std::span<const std::shared_ptr<const AirwayTree>>;
+
 std::vector<double> values(const AirwayTree& tree, ColourBy quantity) {
   std::vector<double> result(tree.size());
   if (quantity == ColourBy::Generation || quantity == ColourBy::Strahler) {
@@ -40,29 +42,51 @@ std::pair<Scale::Kind, std::string> kindAndTitle(ColourBy quantity) {
   }
 }
 
+/// A branch without diameter or flow has no place on a logarithmic scale; it gets the lowest.
+bool hasPlace(double value, bool logarithmic) { return !logarithmic || value > 0.0; }
+
+/// The values that a scale must reach.
+struct Extent {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -std::numeric_limits<double>::infinity();
+
+  void add(const std::vector<double>& values, const std::vector<bool>& visible, bool logarithmic) {
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      if (!visible[i] || !hasPlace(values[i], logarithmic)) continue;
+      low = std::min(low, values[i]);
+      high = std::max(high, values[i]);
+    }
+  }
+};
+
 BranchColours colouredByValue(const AirwayTree& tree, const std::vector<bool>& visible,
-                              const SceneOptions& options) {
+                              const SceneOptions& options, Peers peers) {
   const auto [kind, title] = kindAndTitle(options.colourBy);
   const bool logarithmic = kind != Scale::Kind::Count;
   const std::vector<double> value = values(tree, options.colourBy);
-  double low = std::numeric_limits<double>::infinity();
-  double high = -low;
-  for (std::size_t i = 0; i < tree.size(); ++i) {
-    // A branch without diameter or flow has no place on a logarithmic scale; it gets the lowest.
-    if (!visible[i] || (logarithmic && !(value[i] > 0.0))) continue;
-    low = std::min(low, value[i]);
-    high = std::max(high, value[i]);
+  Extent extent;
+  extent.add(value, visible, logarithmic);
+  for (const auto& peer : peers) {
+    extent.add(values(*peer, options.colourBy), branchesUpTo(*peer, options.maxGeneration),
+               logarithmic);
   }
-  if (low > high) low = high = 1.0;
-  const Scale scale(kind, low, high);
+  if (extent.low > extent.high) extent.low = extent.high = 1.0;
+  const Scale scale(kind, extent.low, extent.high);
   BranchColours result;
   result.legend = scale.legend(title, options.background);
   result.colours.reserve(tree.size());
   for (const double v : value) {
-    const double t = logarithmic && !(v > 0.0) ? 0.0 : scale.position(v);
+    const double t = hasPlace(v, logarithmic) ? scale.position(v) : 0.0;
     result.colours.push_back(onBackground(scaleColour(t), options.background));
   }
   return result;
+}
+
+void addSegments(const AirwayTree& tree, const std::vector<bool>& visible,
+                 std::set<std::uint8_t>& segments) {
+  for (std::size_t i = 0; i < tree.size(); ++i) {
+    if (visible[i]) segments.insert(tree[i].segment);
+  }
 }
 
 /// "RB1" ... "LB10"; the number of a segment that has no name.
@@ -72,12 +96,16 @@ std::string segmentLabel(std::uint8_t segment) {
 }
 
 BranchColours colouredBySegment(const AirwayTree& tree, const std::vector<bool>& visible,
-                                Background background) {
+                                const SceneOptions& options, Peers peers) {
+  const Background background = options.background;
   BranchColours result;
+  for (const Branch& branch : tree) {
+    result.colours.push_back(onBackground(segmentColour(branch.segment), background));
+  }
   std::set<std::uint8_t> present;
-  for (std::size_t i = 0; i < tree.size(); ++i) {
-    result.colours.push_back(onBackground(segmentColour(tree[i].segment), background));
-    if (visible[i]) present.insert(tree[i].segment);
+  addSegments(tree, visible, present);
+  for (const auto& peer : peers) {
+    addSegments(*peer, branchesUpTo(*peer, options.maxGeneration), present);
   }
   result.legend.title = "Segment";
   const bool unnamed = present.erase(0) > 0;  // the airways before the segments: named last
@@ -94,11 +122,11 @@ BranchColours colouredBySegment(const AirwayTree& tree, const std::vector<bool>&
 }  // namespace
 
 BranchColours branchColours(const AirwayTree& tree, const std::vector<bool>& visible,
-                            const SceneOptions& options) {
+                            const SceneOptions& options, Peers peers) {
   if (options.colourBy == ColourBy::Segment) {
-    return colouredBySegment(tree, visible, options.background);
+    return colouredBySegment(tree, visible, options, peers);
   }
-  if (options.colourBy != ColourBy::Lobe) return colouredByValue(tree, visible, options);
+  if (options.colourBy != ColourBy::Lobe) return colouredByValue(tree, visible, options, peers);
   BranchColours result;
   result.colours.reserve(tree.size());
   for (const Branch& branch : tree) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <memory>
+#include <span>
 #include <vector>
 
 #include "anatomy/airway_tree.h"
@@ -15,8 +17,10 @@ struct BranchColours {
 };
 
 /// @param visible one entry per branch; scales span the visible branches only
+/// @param peers trees that scale and legend are for as well
 BranchColours branchColours(const AirwayTree& tree, const std::vector<bool>& visible,
-                            const SceneOptions& options);
+                            const SceneOptions& options,
+                            std::span<const std::shared_ptr<const AirwayTree>> peers = {});
 
 /// True for the branches whose generation is at most `maxGeneration`.
 std::vector<bool> branchesUpTo(const AirwayTree& tree, int maxGeneration);

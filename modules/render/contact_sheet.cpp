@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <sstream>
 
 #include <vtkImageData.h>
 #include <vtkNew.h>
@@ -11,12 +12,16 @@
 #include "core/error.h"
 #include "render/colour.h"
 #include "render/font.h"
+#include "render/overlay.h"
 #include "render/picture.h"
 
 namespace pneuma {
 namespace {
 
 constexpr int LogicalDpi = 72;
+constexpr int SmallestFont = 9;
+constexpr double SmallestShare = 0.65;  // of the largest font, before lines are cut
+constexpr double LineHeight = 1.4;      // in font heights
 
 Rgb pixel(const Picture& picture, int x, int y) {
   const std::size_t at = (static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) +
@@ -33,6 +38,27 @@ void setPixel(Picture& picture, int x, int y, const Rgb& colour) {
   const std::array<double, 3> channels = {colour.r, colour.g, colour.b};
   for (std::size_t channel = 0; channel < 3; ++channel) {
     picture.rgb[at + channel] = static_cast<std::uint8_t>(std::lround(channels[channel] * 255.0));
+  }
+}
+
+void put(const Picture& picture, int left, int top, Picture& sheet) {
+  for (int y = 0; y < picture.height; ++y) {
+    for (int x = 0; x < picture.width; ++x) {
+      setPixel(sheet, left + x, top + y, pixel(picture, x, y));
+    }
+  }
+}
+
+void requireOneSize(const std::vector<Picture>& pictures, const Picture& legend) {
+  if (pictures.empty()) throw InvalidInput("a contact sheet needs a picture or more");
+  const Picture& first = pictures.front();
+  for (const Picture& picture : pictures) {
+    if (picture.width != first.width || picture.height != first.height) {
+      throw InvalidInput("the pictures of a contact sheet must have one size");
+    }
+  }
+  if (legend.width > 0 && legend.height != first.height) {
+    throw InvalidInput("the legend of a contact sheet must be as high as its pictures");
   }
 }
 
@@ -61,44 +87,97 @@ void drawText(Picture& picture, const std::string& text, int centreX, int centre
   }
 }
 
+using Caption = std::vector<std::string>;
+
+Caption linesOf(const std::string& text) {
+  Caption lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+/// The largest font up to `largest` in which no line is wider than `width`, as far as it can be
+/// read.
+int fittingFont(const std::vector<Caption>& captions, double width, int largest) {
+  const int smallest = std::max(SmallestFont, static_cast<int>(SmallestShare * largest));
+  int font = largest;
+  for (const Caption& caption : captions) {
+    for (const std::string& line : caption) {
+      while (font > smallest && Overlay::textWidth(line, font) > width) --font;
+    }
+  }
+  return font;
+}
+
+/// The line with as much of its middle left out as it is too wide; "" where there is no room.
+std::string shortened(const std::string& line, double width, int font) {
+  if (Overlay::textWidth(line, font) <= width) return line;
+  std::vector<std::string> characters;  // of UTF-8, whose bytes 10xxxxxx continue one
+  for (const char c : line) {
+    if (characters.empty() || (static_cast<unsigned char>(c) & 0xC0U) != 0x80U) {
+      characters.emplace_back();
+    }
+    characters.back() += c;
+  }
+  for (std::size_t kept = characters.size() - 1; kept > 0; --kept) {
+    std::string result;
+    for (std::size_t i = 0; i < (kept + 1) / 2; ++i) result += characters[i];
+    result += "...";
+    for (std::size_t i = characters.size() - kept / 2; i < characters.size(); ++i) {
+      result += characters[i];
+    }
+    if (Overlay::textWidth(result, font) <= width) return result;
+  }
+  return {};
+}
+
 }  // namespace
 
 Picture contactSheet(const std::vector<Picture>& pictures, int columns,
-                     const std::vector<std::string>& captions) {
-  if (pictures.empty() || columns < 1 || captions.size() != pictures.size()) {
-    throw InvalidInput("a contact sheet needs pictures, a caption for each, and a column or more");
+                     const std::vector<std::string>& captions, const Picture& legend) {
+  requireOneSize(pictures, legend);
+  if (columns < 1 || captions.size() != pictures.size()) {
+    throw InvalidInput("a contact sheet needs a caption for each picture, and a column or more");
   }
   const int width = pictures.front().width;
   const int height = pictures.front().height;
-  for (const Picture& picture : pictures) {
-    if (picture.width != width || picture.height != height) {
-      throw InvalidInput("the pictures of a contact sheet must have one size");
-    }
-  }
   const int count = static_cast<int>(pictures.size());
   const int across = std::min(columns, count);
   const int rows = (count + across - 1) / across;
-  const int font = std::max(11, static_cast<int>(std::lround(0.035 * height)));
-  const int cell = height + 2 * font;
-  Picture sheet{across * width, rows * cell, {}};
+  std::vector<Caption> texts;
+  std::size_t lines = 1;
+  for (const std::string& caption : captions) {
+    texts.push_back(linesOf(caption));
+    lines = std::max(lines, texts.back().size());
+  }
+  const int largest = std::max(11, static_cast<int>(std::lround(0.035 * height)));
+  const double room = width - largest;
+  const int font = fittingFont(texts, room, largest);
+  const auto lineTop = [&](std::size_t line) {
+    return static_cast<int>(std::lround(LineHeight * font * static_cast<double>(line)));
+  };
+  const int cell = height + 2 * font + lineTop(lines - 1);
+  Picture sheet{across * width + legend.width, rows * cell, {}};
   sheet.rgb.resize(static_cast<std::size_t>(sheet.width) * static_cast<std::size_t>(sheet.height) *
                    3);
-  const Rgb ground = pixel(pictures.front(), 0, height - 1);
+  // The pictures' own ground goes on where there is none, and its lowest row below them.
   for (int y = 0; y < sheet.height; ++y) {
+    const Rgb ground = pixel(pictures.front(), 0, std::min(y % cell, height - 1));
     for (int x = 0; x < sheet.width; ++x) setPixel(sheet, x, y, ground);
   }
+  const Rgb ground = pixel(pictures.front(), 0, height - 1);
   const Rgb ink = labOf(ground).l > 50.0 ? rgbOfHex(0x1b2330) : rgbOfHex(0xdfe5ee);
   for (int i = 0; i < count; ++i) {
     const int left = i % across * width;
     const int top = i / across * cell;
     const std::size_t index = static_cast<std::size_t>(i);
-    for (int y = 0; y < height; ++y) {
-      for (int x = 0; x < width; ++x) {
-        setPixel(sheet, left + x, top + y, pixel(pictures[index], x, y));
-      }
+    put(pictures[index], left, top, sheet);
+    for (std::size_t line = 0; line < texts[index].size(); ++line) {
+      drawText(sheet, shortened(texts[index][line], room, font), left + width / 2,
+               top + height + font + lineTop(line), font, ink);
     }
-    drawText(sheet, captions[index], left + width / 2, top + height + font, font, ink);
   }
+  for (int row = 0; row < rows; ++row) put(legend, across * width, row * cell, sheet);
   return sheet;
 }
 

@@ -31,9 +31,12 @@ Picture readPng(const std::filesystem::path& path);
 /// PNG file content.
 std::string pngText(const Picture& picture);
 
-/// Several pictures of one size beside each other, `columns` a row, with captions under them.
+/// Several pictures of one size beside each other, `columns` a row, with captions of one or more
+/// lines under them. A caption too wide for its picture is written smaller, then cut in its middle.
+/// @param legend stands at the right end of every row, as high as the pictures; may be empty
+/// @throws InvalidInput unless there is a caption for each and they have one size
 Picture contactSheet(const std::vector<Picture>& pictures, int columns,
-                     const std::vector<std::string>& captions);
+                     const std::vector<std::string>& captions, const Picture& legend = {});
 
 /// How different two pictures look: 0 equal, 1 nothing in common; from 0.03 on they count as
 /// different. Both are taken to CIE Lab and smoothed by one pixel against grain. Where either shows

@@ -41,6 +41,21 @@ LogicalSize sizeOf(vtkRenderer* renderer) {
   return {static_cast<int>(size[0] / ratio), static_cast<int>(size[1] / ratio), ratio};
 }
 
+/// Adds points between which the visible branches lie.
+void addPoints(const AirwayTree& tree, const std::vector<bool>& visible, double radiusScale,
+               std::vector<Vec3>& points) {
+  for (std::size_t i = 0; i < tree.size(); ++i) {
+    if (!visible[i]) continue;
+    const Branch& branch = tree[i];
+    const Vec3 radius = Vec3::Constant(branch.radiusMm * radiusScale);
+    for (const Vec3& end : {branch.proximal, branch.distal}) {
+      points.push_back(end - radius);
+      points.push_back(end + radius);
+    }
+    for (const CentrelinePoint& point : branch.via) points.push_back(point.position);
+  }
+}
+
 Vec3 position(vtkCamera* camera) { return Vec3(camera->GetPosition()); }
 
 Vec3 towardsEye(vtkCamera* camera) { return -Vec3(camera->GetDirectionOfProjection()); }
@@ -73,6 +88,7 @@ struct Scene::State {
   }
 
   Legend legend() const {
+    if (!options.legend) return {};
     if (!colouredByLobe()) return airways.legend();
     std::set<Lobe> lobes;
     for (const SceneSurface& surface : surfaces.surfaces()) {
@@ -88,17 +104,11 @@ struct Scene::State {
       if (!surface.visible) continue;
       points.insert(points.end(), surface.mesh->points.begin(), surface.mesh->points.end());
     }
-    if (const AirwayTree* tree = airways.tree(); tree != nullptr) {
-      for (std::size_t i = 0; i < tree->size(); ++i) {
-        if (!airways.visible()[i]) continue;
-        const Branch& branch = (*tree)[i];
-        const Vec3 radius = Vec3::Constant(branch.radiusMm * options.radiusScale);
-        for (const Vec3& end : {branch.proximal, branch.distal}) {
-          points.push_back(end - radius);
-          points.push_back(end + radius);
-        }
-        for (const CentrelinePoint& point : branch.via) points.push_back(point.position);
-      }
+    if (airways.tree() != nullptr) {
+      addPoints(*airways.tree(), airways.visible(), options.radiusScale, points);
+    }
+    for (const auto& peer : airways.peers()) {
+      addPoints(*peer, branchesUpTo(*peer, options.maxGeneration), options.radiusScale, points);
     }
     return points;
   }
@@ -166,6 +176,11 @@ void Scene::setTree(std::shared_ptr<const AirwayTree> tree) {
   state_->recolour();
 }
 
+void Scene::setPeers(std::vector<std::shared_ptr<const AirwayTree>> peers) {
+  state_->airways.setPeers(std::move(peers));
+  state_->recolour();
+}
+
 void Scene::setOptions(const SceneOptions& options) {
   if (options == state_->options) return;
   state_->options = options;
@@ -189,6 +204,11 @@ void Scene::look(ViewDirection direction) {
 ViewDirection Scene::lookingFrom() const {
   vtkCamera* camera = state_->renderer->GetActiveCamera();
   return viewDirectionOf(towardsEye(camera), Vec3(camera->GetViewUp()));
+}
+
+int Scene::legendWidth() const {
+  const Insets& insets = state_->annotations.insets();
+  return static_cast<int>(std::floor(insets.right - insets.left));
 }
 
 std::optional<std::size_t> Scene::branchAt(double x, double y) const {

@@ -52,6 +52,7 @@ struct SceneOptions {
   double lobeOpacity = 0.26;  ///< on the dark background; light ones take a third more
   double radiusScale = 1.0;
   bool annotations = true;  ///< scale bar, orientation letters, legend
+  bool legend = true;       ///< one of the annotations
 
   bool operator==(const SceneOptions&) const = default;
 };
@@ -81,6 +82,10 @@ class Scene {
   /// Null for no tree. The tree is kept, not copied.
   void setTree(std::shared_ptr<const AirwayTree> tree);
 
+  /// Trees whose pictures stand beside this one's, none of them null. They are not drawn, but
+  /// look() frames them too, and scales and legend are of all of them: pictures of equal scale.
+  void setPeers(std::vector<std::shared_ptr<const AirwayTree>> peers);
+
   void setOptions(const SceneOptions& options);
   const SceneOptions& options() const;
 
@@ -96,6 +101,9 @@ class Scene {
 
   /// Where the camera stands now, for the legend of a screenshot and for saving.
   ViewDirection lookingFrom() const;
+
+  /// Pixels at the right edge of the last picture that hold the legend alone; 0 if it had none.
+  int legendWidth() const;
 
   /// The branch under a pixel of the window (origin at the lower left), nearest to the viewer.
   std::optional<std::size_t> branchAt(double x, double y) const;

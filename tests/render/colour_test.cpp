@@ -119,6 +119,34 @@ TEST(BranchColours, ScaleSpansTheVisibleBranches) {
   EXPECT_EQ(coloured.legend.ticks.back().label, "3");
 }
 
+TEST(BranchColours, ScaleSpansThePeersToo) {
+  const auto small = test::generatedTree(4);
+  const std::vector<std::shared_ptr<const AirwayTree>> peers = {small, test::generatedTree(7)};
+  const SceneOptions options = {.colourBy = ColourBy::Generation};
+  const std::vector<bool> all(small->size(), true);
+  const BranchColours alone = branchColours(*small, all, options);
+  const BranchColours beside = branchColours(*small, all, options, peers);
+  const std::vector<bool> allOfPeer(peers[1]->size(), true);
+  const BranchColours ofPeer = branchColours(*peers[1], allOfPeer, options, peers);
+  EXPECT_EQ(beside.legend.ticks.back().label, ofPeer.legend.ticks.back().label);
+  EXPECT_NE(beside.legend.ticks.back().label, alone.legend.ticks.back().label);
+  EXPECT_EQ(alone.colours.back(), scaleColour(1.0));
+  EXPECT_NE(beside.colours.back(), scaleColour(1.0));
+}
+
+TEST(BranchColours, SegmentsOfPeersStandInTheLegend) {
+  AirwayTree tree;
+  tree.add({.parent = -1, .distal = Vec3::UnitZ(), .radiusMm = 1.0, .segment = 2});
+  AirwayTree other;
+  other.add({.parent = -1, .distal = Vec3::UnitZ(), .radiusMm = 1.0, .segment = 20});
+  const std::vector<std::shared_ptr<const AirwayTree>> peers = {
+      std::make_shared<const AirwayTree>(other)};
+  const Legend legend = branchColours(tree, {true}, {.colourBy = ColourBy::Segment}, peers).legend;
+  ASSERT_EQ(legend.chips.size(), 2U);
+  EXPECT_EQ(legend.chips[0].label, "RB2");
+  EXPECT_EQ(legend.chips[1].label, "LB10");
+}
+
 TEST(BranchColours, BranchWithoutDiameterIsNoTrouble) {
   AirwayTree tree;
   tree.add({.parent = -1, .proximal = Vec3::Zero(), .distal = Vec3::UnitZ(), .radiusMm = 0.0});

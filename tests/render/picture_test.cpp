@@ -106,10 +106,52 @@ TEST(ContactSheet, HoldsThePicturesInRows) {
   EXPECT_GT(captionPixels, 10);
 }
 
+/// Pixels of a dark sheet in columns [left, right) and rows [top, bottom) that are bright.
+int brightPixels(const Picture& sheet, int left, int right, int top, int bottom) {
+  int count = 0;
+  for (int y = top; y < bottom; ++y) {
+    for (int x = left; x < right; ++x) {
+      count += sheet.rgb[static_cast<std::size_t>(3 * (y * sheet.width + x))] > 60 ? 1 : 0;
+    }
+  }
+  return count;
+}
+
+TEST(ContactSheet, WritesCaptionsOfSeveralLines) {
+  const Picture dark{200, 100, std::vector<std::uint8_t>(200 * 100 * 3, 10)};
+  const Picture oneLine = contactSheet({dark}, 1, {"one"});
+  const Picture twoLines = contactSheet({dark}, 1, {"one\ntwo"});
+  EXPECT_GT(twoLines.height, oneLine.height + 10);
+  EXPECT_GT(brightPixels(twoLines, 0, 200, oneLine.height, twoLines.height), 5);
+}
+
+TEST(ContactSheet, LongCaptionsStayBelowTheirPicture) {
+  const Picture dark{200, 100, std::vector<std::uint8_t>(200 * 100 * 3, 10)};
+  for (const std::size_t length : {30U, 300U}) {
+    const Picture sheet = contactSheet({dark, dark, dark}, 3, {"", std::string(length, 'W'), "x"});
+    EXPECT_EQ(brightPixels(sheet, 0, 203, 100, sheet.height), 0) << length;
+    EXPECT_EQ(brightPixels(sheet, 397, 490, 100, sheet.height), 0) << length;
+    EXPECT_GT(brightPixels(sheet, 210, 390, 100, sheet.height), 100) << length;
+  }
+}
+
+TEST(ContactSheet, PutsTheLegendAtTheEndOfEveryRow) {
+  const Picture dark{60, 40, std::vector<std::uint8_t>(60 * 40 * 3, 10)};
+  const Picture legend{20, 40, std::vector<std::uint8_t>(20 * 40 * 3, 250)};
+  const Picture sheet = contactSheet({dark, dark, dark}, 2, {"", "", ""}, legend);
+  EXPECT_EQ(sheet.width, 140);
+  const int cell = sheet.height / 2;
+  EXPECT_EQ(brightPixels(sheet, 120, 140, 0, 40), 20 * 40);
+  EXPECT_EQ(brightPixels(sheet, 120, 140, cell, cell + 40), 20 * 40);
+  EXPECT_EQ(brightPixels(sheet, 0, 120, 0, sheet.height), 0);
+  EXPECT_EQ(brightPixels(sheet, 120, 140, 40, cell), 0);
+}
+
 TEST(ContactSheet, NeedsPicturesOfOneSizeAndACaptionEach) {
   EXPECT_THROW(contactSheet({}, 2, {}), InvalidInput);
   EXPECT_THROW(contactSheet({gradient(4, 4)}, 1, {}), InvalidInput);
   EXPECT_THROW(contactSheet({gradient(4, 4), gradient(5, 4)}, 2, {"a", "b"}), InvalidInput);
+  EXPECT_THROW(contactSheet({gradient(4, 4)}, 1, {"a"}, gradient(4, 5)), InvalidInput);
 }
 
 TEST(RenderPicture, SaysHowToGetADisplayWhereThereIsNone) {

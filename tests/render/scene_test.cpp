@@ -110,6 +110,43 @@ TEST_F(SceneInAWindow, FramesAgainWhenResizedUntilSomebodyMovesTheCamera) {
   EXPECT_DOUBLE_EQ(camera->GetDistance(), moved);
 }
 
+TEST_F(SceneInAWindow, PeersAreFramedAtOneScaleWhicheverIsShown) {
+  AirwayTree longTree;
+  longTree.add({.parent = -1, .proximal = Vec3(0, 0, 400), .distal = Vec3(0, 0, -400)});
+  const auto peer = std::make_shared<const AirwayTree>(longTree);
+  scene_.setSurfaces({});
+  scene_.look({});
+  const double alone = scene_.renderer()->GetActiveCamera()->GetDistance();
+  scene_.setPeers({tree_, peer});
+  scene_.look({});
+  const double beside = scene_.renderer()->GetActiveCamera()->GetDistance();
+  EXPECT_GT(beside, 2.0 * alone);
+  scene_.setTree(peer);
+  scene_.updateAnnotations();
+  EXPECT_DOUBLE_EQ(scene_.renderer()->GetActiveCamera()->GetDistance(), beside);
+  scene_.look({});
+  EXPECT_DOUBLE_EQ(scene_.renderer()->GetActiveCamera()->GetDistance(), beside);
+}
+
+TEST_F(SceneInAWindow, KeepsTheLegendInItsColumn) {
+  scene_.look({});
+  const Picture with = renderPicture(scene_, Width, Height);
+  const int column = scene_.legendWidth();
+  EXPECT_GT(column, 20);
+  EXPECT_LT(column, Width / 3);
+  scene_.setOptions({.legend = false});
+  const Picture without = renderPicture(scene_, Width, Height);
+  EXPECT_EQ(scene_.legendWidth(), 0);
+  // The camera has not moved: but for the letters at the edges, nothing else changes.
+  for (int y = 30; y < Height - 30; ++y) {
+    for (int x = 30; x < Width - column - 30; ++x) {
+      const auto at = static_cast<std::size_t>(3 * (y * Width + x));
+      ASSERT_EQ(with.rgb[at], without.rgb[at]) << x << " " << y;
+    }
+  }
+  EXPECT_NE(with.rgb, without.rgb);
+}
+
 TEST_F(SceneInAWindow, GoesBackToItsWindowAfterAPicture) {
   scene_.look({});
   const Picture first = renderPicture(scene_, 160, 120);
