@@ -35,6 +35,7 @@ std::span<const Command> commands();
 /// @throws InvalidOption if there is no such command (the nearest is suggested)
 const Command& command(std::string_view name);
 
+Run declareCompare(CLI::App& app, CommonOptions& common);
 Run declareCompletion(CLI::App& app, CommonOptions& common);
 Run declareDoctor(CLI::App& app, CommonOptions& common);
 Run declareExport(CLI::App& app, CommonOptions& common);

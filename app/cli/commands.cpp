@@ -7,10 +7,11 @@
 namespace pneuma::cli {
 namespace {
 
-constexpr std::array<Command, 13> Table = {{
+constexpr std::array<Command, 14> Table = {{
     {"grow", "Grow a bronchial tree in lobes or in a built-in organ.", declareGrow},
     {"study", "Grow with many seeds: mean and spread of the figures.", declareStudy},
     {"measure", "Measure a tree: orders, ratios, angles, lengths, homogeneity.", declareMeasure},
+    {"compare", "Measure several trees side by side: one table, one picture.", declareCompare},
     {"info", "Say what surfaces and trees are worth, and what is wrong with them.", declareInfo},
     {"repair", "Mend a surface and list what was changed.", declareRepair},
     {"render", "Make a picture of surfaces and trees.", declareRender},

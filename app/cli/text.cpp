@@ -51,7 +51,9 @@ std::string failedChecks(const Json& report) {
   std::string text;
   for (const Json& check : report.at("checks")) {
     if (check.at("ok").get<bool>()) continue;
-    text += "check failed: " + check.at("id").get<std::string>() + " is " +
+    const std::string tree =
+        check.contains("tree") ? " of " + check["tree"].get<std::string>() : "";
+    text += "check failed: " + check.at("id").get<std::string>() + tree + " is " +
             check.at("value").dump() + ", the limit is " + check.at("limit").dump() + "\n";
   }
   return text;

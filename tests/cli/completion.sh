@@ -35,6 +35,9 @@ completes "pneuma render --colour-by str" strahler
 completes "pneuma reproduce h" huang-2004
 completes "pneuma reproduce kitaoka-1999 --table th" thorax
 completes "pneuma stu" study
+completes "pneuma compa" compare
+completes "pneuma compare --pic" --picture
+completes "pneuma compare --colour-by gen" generation
 completes "pneuma study --se" --seeds
 completes "pneuma help mea" measure
 finish

@@ -64,5 +64,13 @@ TEST(Schemas, NameTheirDialectAndTheReportTheyDescribe) {
   EXPECT_GE(schemas, 4U);
 }
 
+TEST(Schemas, MeasureAndCompareDescribeTheSameFigures) {
+  const auto figures = [](const std::string& report) {
+    std::ifstream file(PNEUMA_SCHEMAS "/" + report + ".schema.json");
+    return json::parse(file).at("$defs");
+  };
+  EXPECT_EQ(figures("measure"), figures("compare"));
+}
+
 }  // namespace
 }  // namespace pneuma::test

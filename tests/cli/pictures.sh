@@ -27,6 +27,23 @@ refuses "pictures of two sizes" 4 "size|480" render tree.vtp --size 200x200 -o s
 refuses "a reference that is no picture" 4 "tree.vtp" render tree.vtp -o x.png --reference tree.vtp
 refuses "a reference that is missing" 3 "missing.png" render tree.vtp -o x.png --reference missing.png
 
+succeeds "a second tree to draw" grow lobes --method centroid --terminals 500 -o few.vtp
+succeeds "trees side by side" compare tree.vtp few.vtp --size 240x180 --picture sheet.png
+expect "the figures are not printed beside the picture" grep -q '^terminals ' "$logs/out"
+succeeds "trees side by side in their lobes" compare tree.vtp few.vtp --domain lobes --view left --colour-by generation \
+  --background white --size 240x180 --picture in_lobes.png -o figures.json --json
+expect "figures or picture are missing" test -s figures.json -a -s in_lobes.png
+succeeds "trees side by side in an organ" compare tree.vtp few.vtp --organ simple --size 100x80 --picture in_organ.png -q
+# width FILE: of a PNG.
+width() { od -An -tu1 -j 16 -N 4 "$1" | awk '{ print (($1 * 256 + $2) * 256 + $3) * 256 + $4 }'; }
+expect "there are not two pictures and a legend" test "$(width sheet.png)" -gt 500 -a "$(width sheet.png)" -lt 600
+succeeds "five trees in two rows" compare tree.vtp few.vtp tree.vtp few.vtp tree.vtp --size 100x80 --picture five.png
+expect "five trees are not three pictures wide" test "$(width five.png)" -eq 300
+refuses "a sheet that is there" 6 "sheet.png.*exists" compare tree.vtp few.vtp --picture sheet.png
+refuses "figures that are there leave no picture" 6 "figures.json.*exists" \
+  compare tree.vtp few.vtp --picture new.png -o figures.json
+refuses "a view that is none" 2 "view.*'sideways'|'sideways'" compare tree.vtp few.vtp --picture new.png --view sideways
+
 DISPLAY= refuses "no display" 10 "xvfb-run" render tree.vtp -o x.png
 DISPLAY=:9999 refuses "a display that does not answer" 10 "xvfb-run" render tree.vtp -o x.png
 DISPLAY= refuses "no display for the figures" 10 "xvfb-run" reproduce huang-2004 --pictures figures
