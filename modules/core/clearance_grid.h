@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <bit>
 #include <cstdint>
 #include <functional>
 #include <vector>
@@ -63,6 +65,24 @@ class ClearanceGrid {
 
   /// True only if the whole box certainly lies inside, off the wall.
   bool keepsInside(const Box3& box) const;
+
+  /// As Domain::insideAlongX(): what is far from the wall answers for its neighbours as well.
+  /// @param contains `contains(p)`: the answer for one point
+  template <class Contains>
+  std::uint32_t insideAlongX(const Vec3& first, double stepMm, std::uint32_t wanted,
+                             Contains&& contains) const {
+    std::uint32_t inside = 0;
+    std::uint32_t left = wanted;
+    while (left != 0) {
+      const int i = std::countr_zero(left);
+      const Vec3 p = first + Vec3(i * stepMm, 0.0, 0.0);
+      const int alike = std::min(31 - i, static_cast<int>(clearanceMm(p) / stepMm));
+      const std::uint32_t bits = ((2U << alike) - 1U) << i;
+      if (contains(p)) inside |= bits;
+      left &= ~bits;
+    }
+    return inside & wanted;
+  }
 
   std::size_t cellCount() const { return clearance_.size(); }
 

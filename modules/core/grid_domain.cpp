@@ -55,6 +55,11 @@ bool GridDomain::containsBox(const Box3& box) const {
   return grid_.keepsInside(box) || domain_->containsBox(box);
 }
 
+std::uint32_t GridDomain::insideAlongX(const Vec3& first, double stepMm,
+                                       std::uint32_t wanted) const {
+  return grid_.insideAlongX(first, stepMm, wanted, [this](const Vec3& p) { return contains(p); });
+}
+
 double GridDomain::distanceToWall(const Vec3& p) const {
   return std::max(domain_->distanceToWall(p), grid_.clearanceMm(p));
 }

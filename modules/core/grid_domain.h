@@ -22,6 +22,7 @@ class GridDomain : public Domain {
   bool containsSegment(const Vec3& a, const Vec3& b) const override;
   bool containsBox(const Box3& box) const override;
   double distanceToWall(const Vec3& p) const override;
+  std::uint32_t insideAlongX(const Vec3& first, double stepMm, std::uint32_t wanted) const override;
 
   Box3 bounds() const override { return domain_->bounds(); }
 

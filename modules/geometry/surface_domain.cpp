@@ -1,7 +1,6 @@
 #include "geometry/surface_domain.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <mutex>
 #include <optional>
@@ -129,19 +128,8 @@ bool SurfaceDomain::containsBox(const Box3& box) const { return state_->grid.kee
 
 std::uint32_t SurfaceDomain::insideAlongX(const Vec3& first, double stepMm,
                                           std::uint32_t wanted) const {
-  std::uint32_t inside = 0;
-  std::uint32_t left = wanted;
-  while (left != 0) {
-    const int i = std::countr_zero(left);
-    const Vec3 p = first + Vec3(i * stepMm, 0.0, 0.0);
-    // What is far from the wall answers for its neighbours as well.
-    const double clear = state_->grid.clearanceMm(p);
-    const int alike = std::min(31 - i, static_cast<int>(clear / stepMm));
-    const std::uint32_t bits = ((2U << alike) - 1U) << i;
-    if (contains(p)) inside |= bits;
-    left &= ~bits;
-  }
-  return inside & wanted;
+  return state_->grid.insideAlongX(first, stepMm, wanted,
+                                   [this](const Vec3& p) { return contains(p); });
 }
 
 double SurfaceDomain::exitDistance(const Vec3& p, const Vec3& direction, double farthestMm) const {
