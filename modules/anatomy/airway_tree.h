@@ -20,14 +20,14 @@ enum class Ending : std::uint8_t {
   Ratio = 3,       ///< its region can not be divided evenly enough: failed
 };
 
-/// A point of a measured centreline between the ends of its branch.
+/// A point of a centreline between the ends of its branch.
 struct CentrelinePoint {
   Vec3 position;  ///< LPS, mm
   double radiusMm = 0.0;
 };
 
-/// An airway from one bifurcation to the next. Grown branches are straight; measured ones follow
-/// their centreline through `via`.
+/// An airway from one bifurcation to the next. Measured branches, and those grown by aggregation,
+/// follow their centreline through `via`; others are straight.
 struct Branch {
   int parent = -1;  ///< index in the tree, smaller than the branch's own; -1 for the root
   Vec3 proximal = Vec3::Zero();  ///< end towards the mouth, LPS, mm
@@ -68,7 +68,11 @@ class AirwayTree {
 
   std::span<const Branch> branches() const { return branches_; }
 
-  void setRadiusMm(std::size_t i, double radiusMm) { branches_[i].radiusMm = radiusMm; }
+  /// Of the whole branch, the points of its centreline included.
+  void setRadiusMm(std::size_t i, double radiusMm) {
+    branches_[i].radiusMm = radiusMm;
+    for (CentrelinePoint& point : branches_[i].via) point.radiusMm = radiusMm;
+  }
 
   void setLobe(std::size_t i, Lobe lobe) { branches_[i].lobe = lobe; }
 

@@ -16,7 +16,7 @@ namespace {
 constexpr double SmallestBoxMm = 2.0;
 constexpr int Octaves = 5;
 constexpr double LongestTotalMm = 2e7;
-constexpr double LargestExtentMm = SmallestBoxMm * (1 << 21);  // what fits into a key
+constexpr double MostBoxesAcross = 1 << 21;  // what fits into a key
 
 using Cell = std::array<std::int64_t, 3>;
 
@@ -68,6 +68,19 @@ void appendBoxes(const Vec3& a, const Vec3& b, std::vector<std::uint64_t>& keys)
   }
 }
 
+/// @param keys of the smallest boxes, in any order and more than once
+std::vector<BoxDimension> slopes(std::vector<std::uint64_t> keys, double boxMm, int octaves) {
+  keepUnique(keys);
+  std::vector<BoxDimension> dimensions;
+  for (int octave = 0; octave < octaves; ++octave, boxMm *= 2.0) {
+    const double small = static_cast<double>(keys.size());
+    for (std::uint64_t& key : keys) key = outerBox(key);
+    keepUnique(keys);
+    dimensions.push_back({boxMm, std::log2(small / static_cast<double>(keys.size()))});
+  }
+  return dimensions;
+}
+
 }  // namespace
 
 std::vector<BoxDimension> boxDimensions(const AirwayTree& tree,
@@ -82,7 +95,7 @@ std::vector<BoxDimension> boxDimensions(const AirwayTree& tree,
       total += (piece.to - piece.from).norm();
     });
   }
-  if (!(total < LongestTotalMm && box.sizes().maxCoeff() < LargestExtentMm)) {
+  if (!(total < LongestTotalMm && box.sizes().maxCoeff() < SmallestBoxMm * MostBoxesAcross)) {
     throw InvalidInput("the airways are " + std::to_string(std::llround(total / 1e6)) +
                        " km long together, which no lung is; check the tree's units (mm)");
   }
@@ -93,16 +106,27 @@ std::vector<BoxDimension> boxDimensions(const AirwayTree& tree,
                   keys);
     });
   }
-  keepUnique(keys);
-  std::vector<BoxDimension> dimensions;
-  double boxMm = SmallestBoxMm;
-  for (int octave = 0; octave < Octaves; ++octave, boxMm *= 2.0) {
-    const double small = static_cast<double>(keys.size());
-    for (std::uint64_t& key : keys) key = outerBox(key);
-    keepUnique(keys);
-    dimensions.push_back({boxMm, std::log2(small / static_cast<double>(keys.size()))});
+  return slopes(std::move(keys), SmallestBoxMm, Octaves);
+}
+
+std::vector<BoxDimension> boxDimensions(std::span<const Vec3> points, double smallestBoxMm,
+                                        int octaves) {
+  if (points.empty()) return {};
+  Box3 box;
+  for (const Vec3& p : points) box.extend(p);
+  if (!(box.sizes().maxCoeff() < smallestBoxMm * MostBoxesAcross)) {
+    throw InvalidInput("the points lie too far apart to count boxes of " +
+                       std::to_string(smallestBoxMm) + " mm; choose larger boxes");
   }
-  return dimensions;
+  std::vector<std::uint64_t> keys;
+  keys.reserve(points.size());
+  for (const Vec3& p : points) {
+    // From half a box before the lowest, so that points of a lattice lie in the middle of boxes.
+    const Vec3 q = (p - box.min()) / smallestBoxMm + Vec3::Constant(0.5);
+    keys.push_back(keyOf({static_cast<std::int64_t>(q.x()), static_cast<std::int64_t>(q.y()),
+                          static_cast<std::int64_t>(q.z())}));
+  }
+  return slopes(std::move(keys), smallestBoxMm, octaves);
 }
 
 }  // namespace pneuma

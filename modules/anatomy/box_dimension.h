@@ -22,4 +22,9 @@ struct BoxDimension {
 std::vector<BoxDimension> boxDimensions(const AirwayTree& tree,
                                         std::span<const std::size_t> branches);
 
+/// The same of points: boxes of `smallestBoxMm` and of `octaves` times twice that.
+/// @throws InvalidInput if the points lie too far apart for boxes that small
+std::vector<BoxDimension> boxDimensions(std::span<const Vec3> points, double smallestBoxMm,
+                                        int octaves);
+
 }  // namespace pneuma

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 
+#include "anatomy/centreline.h"
 #include "core/parallel.h"
 
 namespace pneuma {
@@ -46,7 +47,11 @@ Outside outsideTheirLobe(const AirwayTree& tree, std::span<const LobeRegion> lob
           std::ranges::find_if(lobes, [&](const LobeRegion& r) { return r.lobe == branch.lobe; });
       if (region == lobes.end()) continue;
       if (!region->domain->contains(branch.distal)) ++ends;
-      if (!region->domain->containsSegment(branch.proximal, branch.distal)) ++segments;
+      bool inside = true;
+      forEachPiece(branch, [&](const CentrelinePiece& piece) {
+        inside = inside && region->domain->containsSegment(piece.from, piece.to);
+      });
+      if (!inside) ++segments;
     }
   });
   return {ends, segments};
