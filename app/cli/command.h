@@ -48,6 +48,7 @@ Run declareRepair(CLI::App& app, CommonOptions& common);
 Run declareReproduce(CLI::App& app, CommonOptions& common);
 Run declareSample(CLI::App& app, CommonOptions& common);
 Run declareStudy(CLI::App& app, CommonOptions& common);
+Run declareOutline(CLI::App& app, CommonOptions& common);
 Run declareVersion(CLI::App& app, CommonOptions& common);
 
 }  // namespace pneuma::cli

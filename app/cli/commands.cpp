@@ -7,9 +7,11 @@
 namespace pneuma::cli {
 namespace {
 
-constexpr std::array<Command, 14> Table = {{
+constexpr std::array<Command, 15> Table = {{
     {"grow", "Grow a bronchial tree in lobes or in a built-in organ.", declareGrow},
     {"study", "Grow with many seeds: mean and spread of the figures.", declareStudy},
+    {"outline", "Aggregate in the outline of a right lung, in a plane (Zhang 2003).",
+     declareOutline},
     {"measure", "Measure a tree: orders, ratios, angles, lengths, homogeneity.", declareMeasure},
     {"compare", "Measure several trees side by side: one table, one picture.", declareCompare},
     {"info", "Say what surfaces and trees are worth, and what is wrong with them.", declareInfo},

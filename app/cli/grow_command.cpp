@@ -7,6 +7,7 @@
 #include "cli/growth_arguments.h"
 #include "cli/text.h"
 #include "io/tree_file.h"
+#include "pipeline/aggregate_file.h"
 #include "pipeline/efficiency_report.h"
 #include "pipeline/report.h"
 
@@ -15,7 +16,36 @@ namespace {
 
 struct GrowArguments : GrowthArguments {
   std::filesystem::path report;
+  std::filesystem::path points;  ///< where the raw aggregate goes; may be empty
 };
+
+/// `--points N` is an option of the method, `--points FILE` an output.
+void setPoints(GrowArguments& arguments, const std::string& text) {
+  const bool number = text.find_first_not_of("0123456789") == std::string::npos;
+  if (number) {
+    arguments.shortcuts.push_back("points=" + text);
+  } else {
+    arguments.points = text;
+  }
+}
+
+/// Throws now what could be thrown when the points are written.
+void requirePointsOutput(const GrowArguments& arguments, const CommonOptions& common) {
+  if (arguments.points.empty()) return;
+  if (arguments.method != "dla") {
+    throw InvalidOption("--points writes the particles of an aggregate, which --method " +
+                        arguments.method + " does not make; use --method dla");
+  }
+  if (arguments.points.extension() != ".vtp") {
+    throw Unsupported("points are written as VTP; '" + arguments.points.string() +
+                      "' should end in .vtp");
+  }
+  requireOutput(arguments.points, common.existing());
+  if (arguments.points == common.output || arguments.points == arguments.report) {
+    throw InvalidOption("--points names the same file as another output, '" +
+                        arguments.points.string() + "'");
+  }
+}
 
 double secondsSince(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -24,6 +54,7 @@ double secondsSince(std::chrono::steady_clock::time_point start) {
 void requireUsable(const GrowArguments& arguments, const CommonOptions& common) {
   requireOneOrgan(arguments, "grow");
   requireTreeOutput(common.output, common.existing());
+  requirePointsOutput(arguments, common);
   if (arguments.report.empty()) return;
   requireOutput(arguments.report, common.existing());
   if (arguments.report == common.output) {
@@ -86,6 +117,11 @@ ExitCode runGrow(const GrowArguments& arguments, const CommonOptions& common,
   std::map<std::string, std::string> metadata = treeMetadata(model);
   if (variation.any()) metadata["variation"] = toJson(variation).dump();
   writeTree(common.output, tree, metadata);
+  if (!arguments.points.empty()) {
+    outputs.add(arguments.points);
+    writeFile(arguments.points, aggregateText(model.growth->result.aggregate, metadata),
+              common.existing());
+  }
   Json report = growthReport(model, whole, byLobe, measureSeconds, secondsSince(start));
   if (variation.any()) report["variation"] = toJson(variation);
   if (!arguments.report.empty()) {
@@ -108,6 +144,11 @@ ExitCode runGrow(const GrowArguments& arguments, const CommonOptions& common,
 Run declareGrow(CLI::App& app, CommonOptions& common) {
   const auto arguments = std::make_shared<GrowArguments>();
   addGrowthArguments(app, *arguments);
+  app.add_option_function<std::string>(
+         "--points", [arguments](const std::string& text) { setPoints(*arguments, text); },
+         "A number: fill the lobes with exactly this many points (centroid). A file (.vtp): write "
+         "the raw aggregate with its order of arrival there (dla).")
+      ->type_name("N|FILE");
   addShortcut(app, *arguments, "seed", "Seed of everything random.");
   addOutput(app, common, "FILE", "Where the tree goes: .vtp, .swc, .csv or .json.")->required();
   app.add_option("--report", arguments->report, "Write the JSON report here as well.")

@@ -34,7 +34,6 @@ void addGrowthArguments(CLI::App& app, GrowthArguments& arguments) {
   addRepeatable(app, "--set", arguments.assignments, "KEY=VALUE",
                 "Set an option of the method (list below). May be repeated.");
   addShortcut(app, arguments, "terminals", "Aim at about this many terminals.");
-  addShortcut(app, arguments, "points", "Fill the lobes with exactly this many points.");
   addRepeatable(app, "--vary", arguments.variation, "KEY=VALUE",
                 "Vary the trunk or the organ at random (list below). May be repeated.");
 }

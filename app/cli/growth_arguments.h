@@ -23,8 +23,8 @@ struct GrowthArguments {
   std::vector<std::string> variation;  ///< assignments to VariationOptions
 };
 
-/// Adds LOBES, --organ, --organ-size, --airway-table, --central, --method, --set, --terminals,
-/// --points and --vary.
+/// Adds LOBES, --organ, --organ-size, --airway-table, --central, --method, --set, --terminals and
+/// --vary.
 void addGrowthArguments(CLI::App& app, GrowthArguments& arguments);
 
 /// `--name N` for the method's own option `name`.

@@ -23,6 +23,10 @@ std::span<const PaperFigure> huangFigures();
 /// every segment in its own colour from the front and from the right (Fig. 7).
 std::span<const PaperFigure> kitaokaFigures();
 
+/// Zhang 2003: the tree in the outline of a right lung (Fig. 1); the same with long steps, from two
+/// other centres and with absorbing walls on one sheet; a million particles in three lobes.
+std::span<const PaperFigure> zhangFigures();
+
 /// The organ that was kept under this name.
 const LungModel& figureModel(const Reproduction& reproduction, std::string_view name);
 

@@ -77,6 +77,7 @@ ExitCode runStudy(const StudyArguments& arguments, const CommonOptions& common,
 Run declareStudy(CLI::App& app, CommonOptions& common) {
   const auto arguments = std::make_shared<StudyArguments>();
   addGrowthArguments(app, *arguments);
+  addShortcut(app, *arguments, "points", "Fill the lobes with exactly this many points.");
   app.add_option("--seeds", arguments->seeds,
                  "How many individuals, with seeds from 1, or a range of seeds such as 5..24.")
       ->type_name("N")

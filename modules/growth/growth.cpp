@@ -22,6 +22,11 @@ std::span<const GrowthMethod> methods() {
        "Huang XY, Tan XP, Pei JM. A three dimensional fractal simulation of the lung bronchial "
        "tree. 2004",
        CentroidSplittingOptions{}},
+      {"dla", "Diffusion-limited aggregation",
+       "Zhang J, Tan XP, Pei JM. DLA simulation of fractal growth of bronchial tree. J Sichuan "
+       "Univ "
+       "(Eng Sci Ed) 35(1): 66-68, 2003",
+       DlaOptions{}},
   });
   return table;
 }
@@ -49,13 +54,14 @@ GrowthResult growAirways(const AirwayTree& central, std::span<const LobeRegion> 
   if (central.empty()) {
     throw InvalidInput("there are no central airways to grow from; read some or make a template");
   }
-  return std::visit(Overloaded{[&](const KitaokaOptions& o) {
-                                 return growByKitaoka(central, lobes, o, progress);
-                               },
-                               [&](const CentroidSplittingOptions& o) {
-                                 return growByCentroidSplitting(central, lobes, o, progress);
-                               }},
-                    options);
+  return std::visit(
+      Overloaded{
+          [&](const KitaokaOptions& o) { return growByKitaoka(central, lobes, o, progress); },
+          [&](const CentroidSplittingOptions& o) {
+            return growByCentroidSplitting(central, lobes, o, progress);
+          },
+          [&](const DlaOptions& o) { return growByDla(central, lobes, o, progress); }},
+      options);
 }
 
 }  // namespace pneuma

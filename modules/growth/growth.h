@@ -10,13 +10,14 @@
 #include "anatomy/airway_tree.h"
 #include "core/progress.h"
 #include "growth/centroid_splitting.h"
+#include "growth/dla.h"
 #include "growth/kitaoka.h"
 
 namespace pneuma {
 
 /// The choice of a method is the choice of its options. A new method is one more alternative here
 /// and one more row in growthMethods().
-using GrowthOptions = std::variant<KitaokaOptions, CentroidSplittingOptions>;
+using GrowthOptions = std::variant<KitaokaOptions, CentroidSplittingOptions, DlaOptions>;
 
 /// One row of the menus, of `pneuma grow --method` and of the tests.
 struct GrowthMethod {

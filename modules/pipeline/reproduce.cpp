@@ -10,7 +10,7 @@
 namespace pneuma {
 namespace {
 
-std::array<const Paper*, 2> papers() { return {&huang2004(), &kitaoka1999()}; }
+std::array<const Paper*, 3> papers() { return {&huang2004(), &kitaoka1999(), &zhang2003()}; }
 
 const Paper& paperOfName(std::string_view name) {
   for (const Paper* paper : papers()) {

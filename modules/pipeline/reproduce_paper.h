@@ -26,6 +26,7 @@ struct Paper {
 
 const Paper& huang2004();
 const Paper& kitaoka1999();
+const Paper& zhang2003();
 
 /// True if the options ask for this table.
 inline bool wanted(const ReproduceOptions& options, std::string_view table) {

@@ -26,6 +26,13 @@ OptionLayout wantedLayout(std::string_view method) {
           {"containment", "inlet-regions", "terminal-ends", "reach", "remeasure"}}}};
   }
   if (method == "centroid") return {{"terminals", "ratio", "containment", "seed"}, {}};
+  if (method == "dla") {
+    return {{"particles", "terminals", "voxel", "seed"},
+            {{tr("Walkers"), {"wall", "most-steps", "sticking"}},
+             {tr("Where walkers start"),
+              {"share-rul", "share-rml", "share-rll", "share-lul", "share-lll"}},
+             {tr("From aggregate to tree"), {"min-twig", "smoothing", "diameter-exponent"}}}};
+  }
   return {{"terminals", "containment", "seed"}, {}};
 }
 
