@@ -36,7 +36,7 @@ draw() {
 # grow_and_draw FOLDER LOBES CENTRAL: tree, report, measurements and pictures of one lung.
 grow_and_draw() {
   local folder=$1 lobes=$2 central=$3 method
-  for method in kitaoka centroid; do
+  for method in kitaoka centroid dla; do
     mkdir -p "$folder/$method"
     "$pneuma" grow "$lobes" --central "$central" --method $method --terminals 30000 --force \
       -o "$folder/$method/tree.vtp" --report "$folder/$method/report.json"
@@ -44,6 +44,7 @@ grow_and_draw() {
     draw "$folder/$method/anterior-by-lobe.png" "$lobes" "$folder/$method/tree.vtp" \
       --view anterior --colour-by lobe
   done
+  "$pneuma" compare "$folder"/{kitaoka,centroid,dla}/tree.vtp >"$folder/comparison.txt"
   draw "$folder/kitaoka/left-by-diameter.png" "$folder/kitaoka/tree.vtp" --view left \
     --colour-by diameter
   draw "$folder/kitaoka/oblique-by-strahler.png" "$folder/kitaoka/tree.vtp" --view 40,20 \

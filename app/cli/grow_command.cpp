@@ -21,7 +21,7 @@ struct GrowArguments : GrowthArguments {
 
 /// `--points N` is an option of the method, `--points FILE` an output.
 void setPoints(GrowArguments& arguments, const std::string& text) {
-  const bool number = text.find_first_not_of("0123456789") == std::string::npos;
+  const bool number = text.find_first_not_of("0123456789+-.eE") == std::string::npos;
   if (number) {
     arguments.shortcuts.push_back("points=" + text);
   } else {

@@ -91,6 +91,8 @@ void ScriptPlayer::perform(const QJsonObject& step) {
     press(step);
   } else if (what == QLatin1String("wait")) {
     wait(seconds);
+  } else if (what == QLatin1String("wait-until")) {
+    waitUntil(step, seconds);
   } else if (what == QLatin1String("pause")) {
     spin(seconds);
   } else if (what == QLatin1String("click-branch")) {
@@ -172,6 +174,17 @@ void ScriptPlayer::wait(double seconds) const {
   }
 }
 
+void ScriptPlayer::waitUntil(const QJsonObject& step, double seconds) const {
+  QElapsedTimer clock;
+  clock.start();
+  while (!holds(step)) {
+    if (clock.elapsed() > 1000.0 * seconds) {
+      fail(QStringLiteral("it is still '%1'").arg(observed(step).toString()));
+    }
+    spin(0.01);
+  }
+}
+
 void ScriptPlayer::clickBranch(int index) const {
   const auto tree = window_.document().tree();
   if (!tree || index < 0 || static_cast<std::size_t>(index) >= tree->size()) {
@@ -212,10 +225,11 @@ QVariant ScriptPlayer::observed(const QJsonObject& step) const {
     return static_cast<int>(tree ? document.snapshot().figures->grown : 0);
   }
   if (state == QLatin1String("busy")) return document.jobs().busy();
+  if (state == QLatin1String("previewed")) return static_cast<int>(window_.view().previewed());
   fail(QStringLiteral("there is no such state"));
 }
 
-void ScriptPlayer::expect(const QJsonObject& step) const {
+bool ScriptPlayer::holds(const QJsonObject& step) const {
   const QVariant value = observed(step);
   const auto wanted = [&](const char* key) { return step[QString::fromUtf8(key)]; };
   const auto has = [&](const char* key) { return step.contains(QString::fromUtf8(key)); };
@@ -224,7 +238,11 @@ void ScriptPlayer::expect(const QJsonObject& step) const {
   if (has("contains")) holds = holds && value.toString().contains(wanted("contains").toString());
   if (has("above")) holds = holds && value.toDouble() > wanted("above").toDouble();
   if (has("below")) holds = holds && value.toDouble() < wanted("below").toDouble();
-  if (!holds) fail(QStringLiteral("it is '%1'").arg(value.toString()));
+  return holds;
+}
+
+void ScriptPlayer::expect(const QJsonObject& step) const {
+  if (!holds(step)) fail(QStringLiteral("it is '%1'").arg(observed(step).toString()));
 }
 
 }  // namespace pneuma

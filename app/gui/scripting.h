@@ -21,7 +21,8 @@ class ScriptError : public std::runtime_error {
 /// and for the pictures of the manual. Steps are JSON objects, each with "do":
 ///   open {paths}, click {name}, trigger {name}, set {name, value}, key {name, keys}, wait
 ///   {seconds}, pause {seconds}, click-branch {index}, resize {width, height}, screenshot {file},
-///   expect {name, property | state, equals | contains | above | below}
+///   expect {name, property | state, equals | contains | above | below}, wait-until {the same,
+///   seconds}
 /// `name` is a widget's or action's object name. ${NAME} in a text is an environment variable,
 /// ${OUT} the folder of the screenshots.
 class ScriptPlayer {
@@ -34,11 +35,13 @@ class ScriptPlayer {
  private:
   void perform(const QJsonObject& step);
   void expect(const QJsonObject& step) const;
+  bool holds(const QJsonObject& step) const;
   QVariant observed(const QJsonObject& step) const;
   void set(const QJsonObject& step) const;
   void clickBranch(int index) const;
   void screenshot(const QString& name) const;
   void wait(double seconds) const;
+  void waitUntil(const QJsonObject& step, double seconds) const;
   void press(const QJsonObject& step) const;
   QString expanded(QString text) const;
   QObject* object(const QString& name) const;

@@ -49,7 +49,8 @@ bool differInTubes(const SceneOptions& a, const SceneOptions& b) {
 }  // namespace
 
 AirwayLayer::AirwayLayer(vtkRenderer* renderer) {
-  for (vtkActor* actor : {tubes_.Get(), coarseTubes_.Get(), coarseLines_.Get(), selection_.Get()}) {
+  for (vtkActor* actor : {tubes_.Get(), coarseTubes_.Get(), coarseLines_.Get(), givenTubes_.Get(),
+                          selection_.Get()}) {
     makeShiny(actor);
     actor->VisibilityOff();
     actor->PickableOff();
@@ -81,9 +82,14 @@ void AirwayLayer::setOptions(const SceneOptions& options) {
 void AirwayLayer::setInteractive(bool interactive) {
   interactive_ = interactive;
   if (interactive && !coarseBuilt_) buildCoarse();
-  tubes_->SetVisibility(tree_ != nullptr && !interactive);
-  coarseTubes_->SetVisibility(tree_ != nullptr && interactive);
-  coarseLines_->SetVisibility(tree_ != nullptr && interactive);
+  showActors();
+}
+
+void AirwayLayer::setPreviewing(bool previewing) {
+  if (previewing == previewing_) return;
+  previewing_ = previewing;
+  if (previewing) buildGiven();
+  showActors();
 }
 
 void AirwayLayer::select(std::optional<std::size_t> branch) {
@@ -107,6 +113,7 @@ void AirwayLayer::rebuild() {
     show(tubes_, polyDataOf(tubeMesh(*tree_, visible_, colours_.colours,
                                      {.radiusScale = options_.radiusScale})));
   }
+  if (previewing_) buildGiven();
   setInteractive(interactive_);
   buildSelection();
 }
@@ -119,8 +126,18 @@ void AirwayLayer::buildCoarse() {
   show(coarseLines_, polyDataOf(lineMesh(*tree_, visible_, colours_.colours, LineBelowMm)));
 }
 
+void AirwayLayer::buildGiven() {
+  given_ = visible_;
+  if (tree_ == nullptr) return;
+  for (std::size_t i = 0; i < tree_->size(); ++i) {
+    given_[i] = given_[i] && (*tree_)[i].origin != Origin::Grown;
+  }
+  show(givenTubes_, polyDataOf(tubeMesh(*tree_, given_, colours_.colours,
+                                        {.radiusScale = options_.radiusScale})));
+}
+
 void AirwayLayer::buildSelection() {
-  selection_->SetVisibility(selected_.has_value());
+  showActors();
   if (!selected_.has_value()) return;
   // The branch alone, thicker than it is so that it stands out and covers its own tube.
   Branch branch = (*tree_)[*selected_];
@@ -130,6 +147,15 @@ void AirwayLayer::buildSelection() {
   alone.add(std::move(branch));
   show(selection_, polyDataOf(tubeMesh(alone, {true}, {Highlight},
                                        {.radiusScale = scale * options_.radiusScale})));
+}
+
+void AirwayLayer::showActors() {
+  const bool whole = tree_ != nullptr && !previewing_;
+  tubes_->SetVisibility(whole && !interactive_);
+  coarseTubes_->SetVisibility(whole && interactive_);
+  coarseLines_->SetVisibility(whole && interactive_);
+  givenTubes_->SetVisibility(tree_ != nullptr && previewing_);
+  selection_->SetVisibility(selected_.has_value() && (whole || given_[*selected_]));
 }
 
 }  // namespace pneuma

@@ -33,6 +33,9 @@ class AirwayLayer {
 
   void setInteractive(bool interactive);
 
+  /// While a preview shows what grows, the branches that were grown before give way to it.
+  void setPreviewing(bool previewing);
+
   void select(std::optional<std::size_t> branch);
 
   const AirwayTree* tree() const { return tree_.get(); }
@@ -40,7 +43,7 @@ class AirwayLayer {
   std::span<const std::shared_ptr<const AirwayTree>> peers() const { return peers_; }
 
   /// One entry per branch.
-  const std::vector<bool>& visible() const { return visible_; }
+  const std::vector<bool>& visible() const { return previewing_ ? given_ : visible_; }
 
   /// The lobes of the visible branches, the peers' too.
   const std::set<Lobe>& lobes() const { return lobes_; }
@@ -50,20 +53,25 @@ class AirwayLayer {
  private:
   void rebuild();
   void buildCoarse();
+  void buildGiven();
   void buildSelection();
+  void showActors();
 
   std::shared_ptr<const AirwayTree> tree_;
   std::vector<std::shared_ptr<const AirwayTree>> peers_;
   SceneOptions options_;
   std::vector<bool> visible_;
+  std::vector<bool> given_;  ///< those of the visible that were not grown, while previewing
   std::set<Lobe> lobes_;
   BranchColours colours_;
   std::optional<std::size_t> selected_;
   bool interactive_ = false;
   bool coarseBuilt_ = false;
+  bool previewing_ = false;
   vtkNew<vtkActor> tubes_;
   vtkNew<vtkActor> coarseTubes_;
   vtkNew<vtkActor> coarseLines_;
+  vtkNew<vtkActor> givenTubes_;
   vtkNew<vtkActor> selection_;
 };
 

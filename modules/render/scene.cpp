@@ -17,6 +17,7 @@
 #include "render/branch_picker.h"
 #include "render/camera.h"
 #include "render/lighting.h"
+#include "render/preview_layer.h"
 #include "render/surface_layer.h"
 
 namespace pneuma {
@@ -67,6 +68,7 @@ struct Scene::State {
   vtkNew<vtkRenderer> overlayRenderer;
   SurfaceLayer surfaces{renderer};
   AirwayLayer airways{renderer};
+  PreviewLayer preview{renderer};
   Annotations annotations{overlayRenderer};
   SceneOptions options;
 
@@ -84,6 +86,7 @@ struct Scene::State {
   void recolour() {
     airways.setOptions(options);
     surfaces.setOptions(options, !colouredByLobe());
+    preview.setOptions(options);
     setBackground(renderer, options.background);
   }
 
@@ -98,7 +101,7 @@ struct Scene::State {
     return lobeLegend(lobes, options.palette, options.background);
   }
 
-  std::vector<Vec3> visiblePoints() const {
+  std::vector<Vec3> pointsToFrame() const {
     std::vector<Vec3> points;
     for (const SceneSurface& surface : surfaces.surfaces()) {
       if (!surface.visible) continue;
@@ -109,6 +112,11 @@ struct Scene::State {
     }
     for (const auto& peer : airways.peers()) {
       addPoints(*peer, branchesUpTo(*peer, options.maxGeneration), options.radiusScale, points);
+    }
+    if (preview.points() > 0) {
+      for (int corner = 0; corner < 8; ++corner) {
+        points.push_back(preview.box().corner(static_cast<Box3::CornerType>(corner)));
+      }
     }
     return points;
   }
@@ -181,6 +189,19 @@ void Scene::setPeers(std::vector<std::shared_ptr<const AirwayTree>> peers) {
   state_->recolour();
 }
 
+void Scene::addPreview(std::span<const Vec3> points) {
+  if (points.empty()) return;
+  state_->preview.add(points);
+  state_->airways.setPreviewing(true);
+}
+
+void Scene::clearPreview() {
+  state_->preview.clear();
+  state_->airways.setPreviewing(false);
+}
+
+std::size_t Scene::previewed() const { return state_->preview.points(); }
+
 void Scene::setOptions(const SceneOptions& options) {
   if (options == state_->options) return;
   state_->options = options;
@@ -195,7 +216,7 @@ void Scene::select(std::optional<std::size_t> branch) { state_->airways.select(b
 
 void Scene::look(ViewDirection direction) {
   state_->direction = direction;
-  state_->framedPoints = state_->visiblePoints();
+  state_->framedPoints = state_->pointsToFrame();
   const LogicalSize size = sizeOf(state_->renderer);
   state_->annotations.arrange(size.width, size.height, state_->legend(), state_->options);
   state_->frame(size);
@@ -233,6 +254,7 @@ void Scene::updateAnnotations() {
   const bool resized =
       size.width != state_->framedSize.width || size.height != state_->framedSize.height;
   if (resized && state_->cameraUntouched()) state_->frame(size);
+  state_->preview.followCamera(size.pixelRatio);
   state_->surfaces.sortBackToFront();
   camera->OrthogonalizeViewUp();
   ViewAxes axes;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <tuple>
@@ -85,6 +86,16 @@ class Scene {
   /// Trees whose pictures stand beside this one's, none of them null. They are not drawn, but
   /// look() frames them too, and scales and legend are of all of them: pictures of equal scale.
   void setPeers(std::vector<std::shared_ptr<const AirwayTree>> peers);
+
+  /// Shows points that a running growth has placed, LPS, mm, as dots beside those that it placed
+  /// before; the grown branches of the tree give way to them. Of very many only a part is drawn.
+  void addPreview(std::span<const Vec3> points);
+
+  /// Shows the tree again, and no dots.
+  void clearPreview();
+
+  /// How many points the preview has been given.
+  std::size_t previewed() const;
 
   void setOptions(const SceneOptions& options);
   const SceneOptions& options() const;

@@ -70,6 +70,20 @@ refuses "negative points" 2 "points.*-5" "${grow[@]}" --points -5
 refuses "a seed that is no number" 2 "seed.*'x'" "${grow[@]}" --seed x
 refuses "not a number" 2 "ratio.*'nan'" "${grow[@]}" --set ratio=nan
 
+dla=(grow ball.obj --method dla -o t.vtp)
+refuses "shares that do not sum" 2 "share-rul.*sum to 0.*by volume" "${dla[@]}" --set share-rul=0.5
+refuses "voxels too large for the particles" 2 "voxels of 20 mm.*choose smaller voxels" "${dla[@]}" --set voxel=20
+refuses "voxels that need too much memory" 2 "voxels of 0.001 mm need.*would fit" "${dla[@]}" --set voxel=0.001
+refuses "an unknown wall" 2 "wall.*reflect, absorb.*'melt'" "${dla[@]}" --set wall=melt
+refuses "a probability out of range" 2 "sticking.*\[0.001, 1\].*0" "${dla[@]}" --set sticking=0
+refuses "no particles" 2 "particles.*0" "${dla[@]}" --set particles=0
+refuses "points of a method without particles" 2 "points.*centroid.*use --method dla" "${grow[@]}" --points p.vtp
+refuses "points that are no VTP" 5 "points.*p.csv.*\.vtp" "${dla[@]}" --points p.csv
+refuses "points in the tree's file" 2 "same file.*t.vtp" "${dla[@]}" --points t.vtp
+refuses "shares in the outline that do not sum" 2 "sum to 1.7.*sum to 1" outline --upper 0.9
+refuses "first airways off the outline" 2 "outside the lung.*smaller seed-x" outline --seed-z 200
+refuses "an outline in another format" 5 "png" outline --picture o.jpg
+
 caseName="no command at all"
 cases=$((cases + 1))
 run

@@ -9,7 +9,7 @@ keeps() { expect "the JSON breaks $1: $("$JSON_CHECK" "$SCHEMAS/$1.schema.json" 
 
 succeeds "help" help
 prints '^  reproduce +Repeat'
-for command in grow study measure compare info repair render export sample reproduce doctor completion help version; do
+for command in grow study outline measure compare info repair render export sample reproduce doctor completion help version; do
   succeeds "help $command" help "$command"
   prints "^Usage: pneuma $command"
   cp "$logs/out" page
@@ -50,6 +50,20 @@ succeeds "grow in the thorax" grow --organ thorax --set flow-threshold=0.001 -o 
 prints 'outside their lobe: 0 ends, 0 branches'
 succeeds "grow in the thorax with a table of one's own" grow --organ thorax --set flow-threshold=0.001 \
   --airway-table "$(dirname "$0")/../../resources/airways/thorax-tuned.json" -o tuned.vtp
+succeeds "grow by aggregation" grow chest --central chest/central.vtp --method dla --set particles=20000 -o dla.vtp --points particles.vtp
+prints 'grown by dla, seed 1'
+prints '^outside their lobe: 0 ends, 0 branches'
+expect "the particles have no order of arrival" grep -q 'Name="arrival"' particles.vtp
+expect "there are not 20000 particles" grep -q 'NumberOfPoints="20000"' particles.vtp
+succeeds "grow by aggregation, JSON" grow chest --method dla --terminals 500 -o dla.swc --json
+keeps growth
+succeeds "aggregate in the outline" outline --particles 3000 -o outline.vtp --picture outline.png --json
+keeps outline
+expect "the picture is not there" test -s outline.png
+succeeds "aggregate in the outline, text" outline --particles 3000
+prints '^3,000 particles of 3,000 walkers'
+succeeds "reproduce Zhang's free clusters" reproduce zhang-2003 --table free
+prints 'N against radius of gyration'
 succeeds "a quiet growth" grow chest --method centroid --points 3000 -o quiet.csv -q
 expect "a quiet growth says something" test ! -s "$logs/out" -a ! -s "$logs/err"
 succeeds "a talkative growth" grow chest --method centroid --points 3000 -o loud.csv -v

@@ -7,6 +7,7 @@
 #include <atomic>
 #include <chrono>
 #include <new>
+#include <set>
 #include <thread>
 #include <vector>
 
@@ -144,6 +145,124 @@ TEST(JobQueue, AnErrorBecomesItsSentence) {
   EXPECT_EQ(failed.at(0).at(0).toString(), "Opening");
   EXPECT_EQ(failed.at(0).at(1).toString(), "the surface has 14 open edges; repair it first");
   EXPECT_TRUE(failed.at(1).at(1).toString().contains("memory"));
+}
+
+void waitFor(const std::atomic<bool>& go, const Progress& progress) {
+  while (!go) {
+    progress.throwIfStopped();
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+}
+
+/// Keeps what a queue tells of placed points.
+struct PointsTold {
+  explicit PointsTold(JobQueue& queue) {
+    QObject::connect(&queue, &JobQueue::placed, &queue, [this](const std::vector<Vec3>& now) {
+      points.insert(points.end(), now.begin(), now.end());
+      threads.insert(std::this_thread::get_id());
+      ++times;
+    });
+  }
+
+  std::vector<Vec3> points;
+  std::set<std::thread::id> threads;
+  int times = 0;
+};
+
+/// Points first, first + 1 ... on the x axis.
+std::vector<Vec3> row(std::size_t first, std::size_t count) {
+  std::vector<Vec3> points;
+  for (std::size_t i = first; i < first + count; ++i) {
+    points.emplace_back(static_cast<double>(i), 0.0, 0.0);
+  }
+  return points;
+}
+
+TEST(JobQueue, TellsPlacedPointsInTheirOrderOnItsOwnThread) {
+  std::atomic<bool> go = false;
+  JobQueue queue;
+  const PointsTold told(queue);
+  queue.push("Growing", [&](const Progress& progress) {
+    EXPECT_TRUE(progress.wantsPoints());
+    for (std::size_t i = 0; i < 300; i += 3) {
+      progress.placed(row(i, 3));
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+    waitFor(go, progress);
+    return JobQueue::Continuation();
+  });
+  ASSERT_TRUE(QTest::qWaitFor([&] { return told.points.size() == 300; }, 10000));
+  go = true;
+  ASSERT_TRUE(waitUntilIdle(queue));
+  EXPECT_EQ(told.points, row(0, 300));
+  EXPECT_EQ(told.threads, std::set{std::this_thread::get_id()});
+}
+
+TEST(JobQueue, TellsPlacedPointsTenTimesASecondAtMost) {
+  JobQueue queue;
+  const PointsTold told(queue);
+  QElapsedTimer clock;
+  clock.start();
+  queue.push("Growing", [](const Progress& progress) {
+    for (std::size_t i = 0; i < 500; ++i) {
+      progress.placed(row(i, 1));
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    return JobQueue::Continuation();
+  });
+  ASSERT_TRUE(waitUntilIdle(queue));
+  EXPECT_GE(told.times, 2);
+  EXPECT_LE(told.times, 1 + clock.elapsed() / 100);
+}
+
+TEST(JobQueue, TellsNoPointsAfterACancel) {
+  std::atomic<bool> go = false;
+  JobQueue queue;
+  const PointsTold told(queue);
+  queue.push("Growing", [&](const Progress& progress) {
+    for (std::size_t i = 0; !go && i < 5000; ++i) {
+      progress.placed(row(i, 1));
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    return JobQueue::Continuation();
+  });
+  ASSERT_TRUE(QTest::qWaitFor([&] { return told.times >= 2; }, 10000));
+  queue.cancel();
+  const std::size_t before = told.points.size();
+  QTest::qWait(250);
+  EXPECT_TRUE(queue.busy());  // it does not look whether it is to stop
+  go = true;
+  ASSERT_TRUE(waitUntilIdle(queue));
+  EXPECT_EQ(told.points.size(), before);
+}
+
+TEST(JobQueue, KeepsNoMorePointsWaitingThanItSays) {
+  std::atomic<bool> placed = false;
+  std::atomic<bool> more = false;
+  std::atomic<bool> go = false;
+  JobQueue queue;
+  const PointsTold told(queue);
+  constexpr std::size_t Most = JobQueue::MostPointsWaiting;
+  queue.push("Growing", [&](const Progress& progress) {
+    progress.placed(row(0, Most - 1));
+    progress.placed(row(Most - 1, 3));
+    progress.placed(row(Most + 2, 1));
+    placed = true;
+    waitFor(more, progress);
+    progress.placed(row(Most + 3, 1));
+    waitFor(go, progress);
+    return JobQueue::Continuation();
+  });
+  // No event is processed here, so all of them wait.
+  while (!placed) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return told.times == 1; }, 10000));
+  ASSERT_EQ(told.points.size(), Most);
+  EXPECT_EQ(told.points.back().x(), static_cast<double>(Most - 1));
+  more = true;
+  ASSERT_TRUE(QTest::qWaitFor([&] { return told.times == 2; }, 10000));
+  EXPECT_EQ(told.points.back().x(), static_cast<double>(Most + 3));
+  go = true;
+  ASSERT_TRUE(waitUntilIdle(queue));
 }
 
 TEST(JobQueue, GoesAwayWhileAJobRuns) {

@@ -1,11 +1,16 @@
 #include "render/scene.h"
 
+#include <cstdint>
+#include <vector>
+
 #include <gtest/gtest.h>
 #include <vtkCamera.h>
 #include <vtkNew.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
+#include <vtkUnsignedCharArray.h>
 
+#include "core/random.h"
 #include "render/generated_lungs.h"
 #include "render/picture.h"
 
@@ -178,6 +183,110 @@ TEST_F(SceneInAWindow, LooksAlikeWhileInteractive) {
   EXPECT_LT(compare(coarse, fine).error, 0.2);
   scene_.setInteractive(false);
   EXPECT_EQ(renderPicture(scene_, 320, 240).rgb, fine.rgb);
+}
+
+/// `count` points in the right upper lobe, where the generated tree grows.
+std::vector<Vec3> pointsInALobe(std::size_t count) {
+  const test::EllipsoidLobe lobe = test::ellipsoidLobes().front();
+  Random random(1);
+  std::vector<Vec3> points;
+  while (points.size() < count) {
+    const Vec3 unit(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+    if (unit.norm() < 1.0) points.push_back(lobe.centre + lobe.semiAxes.cwiseProduct(unit));
+  }
+  return points;
+}
+
+TEST_F(SceneInAWindow, ShowsAPreviewUntilItIsCleared) {
+  scene_.look({});
+  scene_.select(1);
+  const Picture tree = renderPicture(scene_, 320, 240);
+  const Vec3 eye(scene_.renderer()->GetActiveCamera()->GetPosition());
+  scene_.addPreview({});
+  EXPECT_EQ(renderPicture(scene_, 320, 240).rgb, tree.rgb);
+  scene_.addPreview(pointsInALobe(500));
+  const Picture some = renderPicture(scene_, 320, 240);
+  EXPECT_NE(some.rgb, tree.rgb);
+  scene_.addPreview(pointsInALobe(2000));
+  EXPECT_EQ(scene_.previewed(), 2500U);
+  EXPECT_NE(renderPicture(scene_, 320, 240).rgb, some.rgb);
+  scene_.setInteractive(true);
+  scene_.setInteractive(false);
+  EXPECT_EQ(Vec3(scene_.renderer()->GetActiveCamera()->GetPosition()), eye);
+  scene_.clearPreview();
+  EXPECT_EQ(scene_.previewed(), 0U);
+  EXPECT_EQ(renderPicture(scene_, 320, 240).rgb, tree.rgb);
+}
+
+TEST_F(SceneInAWindow, DrawsWhatIsAddedToAPreviewOnTheScreen) {
+  const auto drawn = [&] {
+    scene_.updateAnnotations();
+    window_->Render();
+    vtkNew<vtkUnsignedCharArray> pixels;
+    window_->GetPixelData(0, 0, Width - 1, Height - 1, 0, pixels);
+    const std::uint8_t* first = pixels->GetPointer(0);
+    return std::vector<std::uint8_t>(first, first + pixels->GetNumberOfValues());
+  };
+  scene_.look({});
+  // Those that come later lie inside the box of the first, which says how dots fade.
+  const test::EllipsoidLobe lobe = test::ellipsoidLobes().front();
+  scene_.addPreview(std::vector<Vec3>{lobe.centre - lobe.semiAxes, lobe.centre + lobe.semiAxes});
+  const auto corners = drawn();
+  EXPECT_EQ(drawn(), corners);
+  scene_.addPreview(pointsInALobe(1000));
+  EXPECT_NE(drawn(), corners);
+}
+
+TEST_F(SceneInAWindow, GrownBranchesGiveWayToThePreviewAndMeasuredOnesStay) {
+  const std::size_t last = tree_->size() - 1;
+  ASSERT_EQ((*tree_)[last].origin, Origin::Grown);
+  ASSERT_EQ((*tree_)[0].origin, Origin::Measured);
+  scene_.look({});
+  scene_.addPreview(std::vector<Vec3>{Vec3(0, 5, 150)});
+  scene_.select(last);
+  const Picture preview = renderPicture(scene_, 320, 240);
+  scene_.select(std::nullopt);
+  EXPECT_EQ(renderPicture(scene_, 320, 240).rgb, preview.rgb);
+  scene_.updateAnnotations();
+  for (const std::size_t branch : {std::size_t{0}, last}) {
+    const Vec3 pixel = pixelOf(0.5 * ((*tree_)[branch].proximal + (*tree_)[branch].distal));
+    const auto hit = scene_.branchAt(pixel.x(), pixel.y());
+    EXPECT_EQ(hit.has_value(), branch == 0);
+  }
+  // As with the measured branches alone, but for the round ends that these get.
+  AirwayTree measured;
+  for (const Branch& branch : *tree_) {
+    if (branch.origin == Origin::Measured) measured.add(branch);
+  }
+  scene_.setTree(std::make_shared<const AirwayTree>(measured));
+  const double ends = compare(renderPicture(scene_, 320, 240), preview).error;
+  scene_.setTree(nullptr);
+  const double airways = compare(renderPicture(scene_, 320, 240), preview).error;
+  EXPECT_LT(ends, 0.1 * airways) << ends << " of " << airways;
+}
+
+TEST_F(SceneInAWindow, ATreeSetDuringThePreviewShowsWhenItIsCleared) {
+  const auto grown = test::generatedTree(3);
+  scene_.look({});
+  scene_.addPreview(pointsInALobe(100));
+  const Picture preview = renderPicture(scene_, 320, 240);
+  scene_.setTree(grown);
+  EXPECT_EQ(renderPicture(scene_, 320, 240).rgb, preview.rgb);
+  scene_.clearPreview();
+  const Picture after = renderPicture(scene_, 320, 240);
+  scene_.setTree(nullptr);
+  scene_.setTree(grown);
+  EXPECT_EQ(renderPicture(scene_, 320, 240).rgb, after.rgb);
+}
+
+TEST_F(SceneInAWindow, FramesThePreviewToo) {
+  scene_.setSurfaces({});
+  scene_.look({});
+  const double distance = scene_.renderer()->GetActiveCamera()->GetDistance();
+  scene_.addPreview(std::vector<Vec3>{Vec3(-400, 0, 0), Vec3(400, 0, 0)});
+  EXPECT_EQ(scene_.renderer()->GetActiveCamera()->GetDistance(), distance);
+  scene_.look({});
+  EXPECT_GT(scene_.renderer()->GetActiveCamera()->GetDistance(), 1.5 * distance);
 }
 
 TEST_F(SceneInAWindow, EmptiesAgain) {

@@ -1,5 +1,6 @@
 #include "document/job_queue.h"
 
+#include <algorithm>
 #include <atomic>
 #include <new>
 #include <utility>
@@ -11,6 +12,7 @@ namespace pneuma {
 namespace {
 
 constexpr int CollectEveryMs = 20;
+constexpr int TellPointsEveryMs = 100;
 
 enum class Outcome { Finished, Cancelled, Failed };
 
@@ -26,6 +28,8 @@ struct JobQueue::Job final : ProgressSink {
   std::atomic<bool> stop = false;
   std::mutex whatMutex;
   std::string what;
+  std::mutex pointsMutex;
+  std::vector<Vec3> points;  ///< placed and not told yet
 
   // Written by the worker before the job is handed over, read afterwards.
   Outcome outcome = Outcome::Finished;
@@ -40,6 +44,15 @@ struct JobQueue::Job final : ProgressSink {
   }
 
   bool stopRequested() const override { return stop; }
+
+  void placed(std::span<const Vec3> newPoints) override {
+    const std::lock_guard lock(pointsMutex);
+    const std::size_t room = MostPointsWaiting - points.size();
+    const auto kept = newPoints.first(std::min(room, newPoints.size()));
+    points.insert(points.end(), kept.begin(), kept.end());
+  }
+
+  bool wantsPoints() const override { return true; }
 
   void run() {
     try {
@@ -125,20 +138,36 @@ void JobQueue::collect() {
     running = running_;
   }
   for (const auto& job : done) deliver(*job);
-  if (running && running->epoch == epoch_) {
-    std::string what;
-    {
-      const std::lock_guard lock(running->whatMutex);
-      what = running->what;
-    }
-    emit progressed(QString::fromStdString(running->title), running->fraction,
-                    QString::fromStdString(what));
-  }
+  if (running) tellProgress(*running);
+  if (running) tellPoints(*running);
   if (done.empty()) return;
   pending_ -= static_cast<int>(done.size());
   if (pending_ > 0) return;
   timer_.stop();
   emit busyChanged(false);
+}
+
+void JobQueue::tellProgress(Job& job) {
+  if (job.epoch != epoch_) return;
+  std::string what;
+  {
+    const std::lock_guard lock(job.whatMutex);
+    what = job.what;
+  }
+  emit progressed(QString::fromStdString(job.title), job.fraction, QString::fromStdString(what));
+}
+
+void JobQueue::tellPoints(Job& job) {
+  if (job.epoch != epoch_) return;
+  if (sincePoints_.isValid() && !sincePoints_.hasExpired(TellPointsEveryMs)) return;
+  std::vector<Vec3> points;
+  {
+    const std::lock_guard lock(job.pointsMutex);
+    points.swap(job.points);
+  }
+  if (points.empty()) return;
+  sincePoints_.start();
+  emit placed(points);
 }
 
 void JobQueue::deliver(Job& job) {

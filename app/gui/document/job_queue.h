@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QElapsedTimer>
 #include <QObject>
 #include <QString>
 #include <QTimer>
@@ -12,6 +13,7 @@
 #include <stop_token>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "core/progress.h"
 
@@ -31,6 +33,10 @@ class JobQueue : public QObject {
 
   /// The work itself, on the worker. What it throws becomes failed() or cancelled().
   using Compute = std::function<Continuation(const Progress& progress)>;
+
+  /// So many points wait at most to be told by placed(), 48 MB of them; what a job places while
+  /// that many wait, because this thread is held up, is not told.
+  static constexpr std::size_t MostPointsWaiting = 2'000'000;
 
   explicit JobQueue(QObject* parent = nullptr);
 
@@ -54,6 +60,10 @@ class JobQueue : public QObject {
   /// @param what the step it is at, may be empty
   void progressed(const QString& title, double fraction, const QString& what);
 
+  /// @param points that the running job has placed since the last time, LPS, mm; told ten times a
+  /// second at most, so that those of the last moment before finished() may be missing
+  void placed(const std::vector<pneuma::Vec3>& points);
+
   void finished(const QString& title);
   void cancelled(const QString& title);
 
@@ -66,8 +76,11 @@ class JobQueue : public QObject {
   void work(const std::stop_token& stop);
   void collect();
   void deliver(Job& job);
+  void tellProgress(Job& job);
+  void tellPoints(Job& job);
 
   QTimer timer_;
+  QElapsedTimer sincePoints_;
   int pending_ = 0;
   std::uint64_t epoch_ = 0;  ///< raised by cancel(): results of an earlier epoch are void
 

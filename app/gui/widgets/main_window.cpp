@@ -111,7 +111,12 @@ void MainWindow::connectDocument() {
     if (const auto then = std::exchange(whenSaved_, {})) then();
   });
   connect(&document_, &Document::failed, this, [this] { whenSaved_ = {}; });
-  connect(&document_.jobs(), &JobQueue::progressed, this, &MainWindow::updateSteps);
+  const JobQueue& jobs = document_.jobs();
+  connect(&jobs, &JobQueue::progressed, this, &MainWindow::updateSteps);
+  connect(&jobs, &JobQueue::placed, view_, &SceneView::addPreview);
+  connect(&jobs, &JobQueue::finished, view_, &SceneView::clearPreview);
+  connect(&jobs, &JobQueue::cancelled, view_, &SceneView::clearPreview);
+  connect(&jobs, &JobQueue::failed, view_, &SceneView::clearPreview);
 }
 
 void MainWindow::connectView() {

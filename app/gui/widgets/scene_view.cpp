@@ -104,7 +104,10 @@ SceneView::SceneView(QWidget* parent) : QWidget(parent), scene_(std::make_unique
 
   renderTimer_.setSingleShot(true);
   renderTimer_.setInterval(0);
-  connect(&renderTimer_, &QTimer::timeout, this, [this] { canvas_->renderWindow()->Render(); });
+  connect(&renderTimer_, &QTimer::timeout, this, &SceneView::render);
+  sinceFrame_.start();
+  previewTimer_.setSingleShot(true);
+  connect(&previewTimer_, &QTimer::timeout, this, &SceneView::renderSoon);
   settleTimer_.setSingleShot(true);
   settleTimer_.setInterval(SettleMs);
   connect(&settleTimer_, &QTimer::timeout, this, [this] { dragging(false); });
@@ -131,6 +134,20 @@ void SceneView::setSurfaceVisible(std::size_t index, bool visible) {
 
 void SceneView::setTree(std::shared_ptr<const AirwayTree> tree) {
   scene_->setTree(std::move(tree));
+  renderSoon();
+}
+
+void SceneView::addPreview(const std::vector<Vec3>& points) {
+  if (scene_->previewed() == 0) frameMs_ = 0;  // with the tree, it tells nothing about the dots
+  scene_->addPreview(points);
+  if (previewTimer_.isActive()) return;
+  previewTimer_.start(static_cast<int>(std::max<qint64>(0, frameMs_ - sinceFrame_.elapsed())));
+}
+
+void SceneView::clearPreview() {
+  if (scene_->previewed() == 0) return;
+  previewTimer_.stop();
+  scene_->clearPreview();
   renderSoon();
 }
 
@@ -178,6 +195,12 @@ QWidget* SceneView::canvas() const { return canvas_; }
 std::optional<std::size_t> SceneView::branchAt(const QPoint& position) const {
   const double ratio = canvas_->devicePixelRatioF();
   return scene_->branchAt(position.x() * ratio, (canvas_->height() - 1 - position.y()) * ratio);
+}
+
+void SceneView::render() {
+  sinceFrame_.start();
+  canvas_->renderWindow()->Render();
+  frameMs_ = sinceFrame_.restart();
 }
 
 void SceneView::renderSoon() { renderTimer_.start(); }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QElapsedTimer>
 #include <QImage>
 #include <QTimer>
 #include <QWidget>
@@ -33,6 +34,13 @@ class SceneView : public QWidget {
   void setTree(std::shared_ptr<const AirwayTree> tree);
   void setOptions(const SceneOptions& options);
 
+  /// Shows what a growth has placed since the last time (Scene::addPreview()). After a frame it
+  /// waits as long as that took: however slow the graphics, half of the time stays for the user.
+  void addPreview(const std::vector<Vec3>& points);
+  void clearPreview();
+
+  std::size_t previewed() const { return scene_->previewed(); }
+
   const SceneOptions& options() const { return scene_->options(); }
 
   void select(std::optional<std::size_t> branch);
@@ -59,6 +67,7 @@ class SceneView : public QWidget {
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
+  void render();
   void renderSoon();
   void turn(double azimuthDeg, double elevationDeg);
   bool keyPressed(int key, Qt::KeyboardModifiers modifiers);
@@ -69,6 +78,9 @@ class SceneView : public QWidget {
   QVTKOpenGLNativeWidget* canvas_;
   QLabel* title_;
   QTimer renderTimer_;
+  QTimer previewTimer_;
+  QElapsedTimer sinceFrame_;
+  qint64 frameMs_ = 0;  ///< what the last frame took
   QTimer settleTimer_;
   QTimer hoverTimer_;
   QPoint pressedAt_;
