@@ -30,4 +30,17 @@ for method in kitaoka centroid; do
   succeeds "the tree of $method is sound" info $method.vtp
   expect "the tree of $method has complaints" test -z "$(grep '^  ! ' "$logs/out")"
 done
+
+# Aggregation: 100,000 particles, every lobe served.
+method=dla
+succeeds "100,000 particles" grow "${inputs[@]}" --method dla -o dla.vtp --report dla.json --points particles.vtp
+cat "$logs/out"
+expect "particles: $(number particles)" test "$(number particles)" = 100000
+expect "ends outside: $(number ends)" test "$(number ends)" = 0
+expect "segments outside: $(number segments)" test "$(number segments)" = 0
+expect "mean gap: $(number gap_mean)" within "$(number gap_mean)" 0.4 0.8
+succeeds "the aggregate's tree is sound" info dla.vtp
+expect "the aggregate's tree has complaints" test -z "$(grep '^  ! ' "$logs/out")"
+succeeds "three methods side by side" compare kitaoka.vtp centroid.vtp dla.vtp
+prints 'terminals'
 finish

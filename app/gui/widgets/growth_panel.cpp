@@ -86,6 +86,7 @@ QWidget* GrowthPanel::makeTabs() {
   grid->setContentsMargins(2, 2, 2, 2);
   grid->setSpacing(1);
   tabs_ = new QButtonGroup(this);
+  const int methods = static_cast<int>(growthMethods().size());
   for (const GrowthMethod& method : growthMethods()) {
     const int index = static_cast<int>(tabs_->buttons().size());
     auto* tab = new QPushButton(qtText(method.title));
@@ -93,7 +94,9 @@ QWidget* GrowthPanel::makeTabs() {
     tab->setCheckable(true);
     tab->setToolTip(qtText(method.citation));
     tabs_->addButton(tab, index);
-    grid->addWidget(tab, index / TabsInARow, index % TabsInARow);
+    // One that is alone in its row takes all of it.
+    const bool alone = index % TabsInARow == 0 && index + 1 == methods;
+    grid->addWidget(tab, index / TabsInARow, index % TabsInARow, 1, alone ? TabsInARow : 1);
     connect(tab, &QPushButton::clicked, this,
             [this, index] { document_.setGrowthMethod(static_cast<std::size_t>(index)); });
   }
