@@ -7,8 +7,9 @@ namespace pneuma {
 namespace {
 
 // A jump near a reflecting wall may reach farther than the wall; if it ends outside it is refused.
-// Cells; docs/algorithms/dla.md compares it with the walk step by step.
-constexpr int ReflectReach = 40;
+// Parts of the lattice's longest side, and cells at most; docs/algorithms/dla.md.
+constexpr int PartsOfTheSide = 5;
+constexpr int LargestReflectReach = 64;
 // Where that many in a row were refused there is less room than that: each further one halves it.
 constexpr int RefusalsAtFullReach = 3;
 
@@ -94,7 +95,9 @@ Aggregation<D>::Aggregation(AggregationLattice<D>& lattice, const AggregationRul
       rules_(rules),
       link_(std::move(link)),
       nearby_(within<D>(rules.reach)),
-      coarse_(rules.step > 1 || rules.reach > 1) {
+      coarse_(rules.step > 1 || rules.reach > 1),
+      reflectReach_(
+          std::clamp(lattice.size().maxCoeff() / PartsOfTheSide, 1, LargestReflectReach)) {
   unreachable_ = lattice_.keepReachable();
   lattice_.findWalls();
   if (rules_.wall == Wall::Absorb) lattice_.keepOffWalls();
@@ -149,7 +152,7 @@ auto Aggregation<D>::walk(Cell cell, double sticking, Random& random, const Prog
     }
     if (!absorb) {
       const int halvings = std::max(refused - RefusalsAtFullReach, 0);
-      const int reach = std::max(ReflectReach >> std::min(halvings, 8), 1);
+      const int reach = std::max(reflectReach_ >> std::min(halvings, 8), 1);
       radius = std::min(radius, std::max(view.wall / rules_.step, reach));
     }
     Cell way = jumps.exit(radius, random);

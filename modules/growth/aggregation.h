@@ -92,6 +92,7 @@ class Aggregation {
   std::vector<Cell> touched_;  ///< cluster cells that the walker touches
   std::vector<Cell> nearby_;   ///< displacements within reach, nearest first
   bool coarse_;                ///< steps or reach longer than a cell
+  int reflectReach_;
   AggregateParticle newest_;
 };
 

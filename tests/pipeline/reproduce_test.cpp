@@ -85,10 +85,12 @@ TEST(Reproduction, TextNamesARowOnceAndNumbersItsNotes) {
 }
 
 TEST(Reproduce, NamesPapersAndTables) {
-  EXPECT_THAT(reproduciblePapers(), ElementsAre("huang-2004", "kitaoka-1999"));
+  EXPECT_THAT(reproduciblePapers(), ElementsAre("huang-2004", "kitaoka-1999", "zhang-2003"));
   EXPECT_THAT(reproducibleTables("huang-2004"), ElementsAre("1", "right-lung"));
   EXPECT_THAT(reproducibleTables("kitaoka-1999"),
               ElementsAre("1", "2", "3", "4", "5", "thorax", "claims"));
+  EXPECT_THAT(reproducibleTables("zhang-2003"),
+              ElementsAre("outline", "shares", "variations", "free", "lung"));
 }
 
 TEST(Reproduce, RefusesUnknownPapersAndTables) {
@@ -97,6 +99,17 @@ TEST(Reproduce, RefusesUnknownPapersAndTables) {
   EXPECT_THROW(reproduce("huang-2004", {.table = "thorax"}), InvalidOption);
   EXPECT_THROW(requireReproducible("huang-2004", "2"), InvalidOption);
   EXPECT_NO_THROW(requireReproducible("huang-2004", "right-lung"));
+}
+
+TEST(Reproduce, KeepsZhangsFiguresWithinTheirLimits) {
+  for (const char* table : {"outline", "shares", "free"}) {
+    for (const ReproducedTable& found : reproduce("zhang-2003", {.table = table}).tables) {
+      EXPECT_GE(found.rows.size(), 2U) << table;
+      for (const ReproducedRow& row : found.rows) {
+        EXPECT_TRUE(row.ok()) << table << ": " << row.quantity << " is " << row.measured;
+      }
+    }
+  }
 }
 
 const ReproducedRow& row(const ReproducedTable& table, const std::string& name,
