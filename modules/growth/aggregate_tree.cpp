@@ -200,10 +200,7 @@ AggregateTips appendAggregate(AirwayTree& tree, const LobeAggregate& aggregate,
     branch.via = thinned(way, domain, StraightWithin * aggregate.voxelMm);
     branch.lobe = aggregate.region.lobe;
     branch.segment = parent.segment;
-    if (skeleton.daughters(node) == 0) {
-      branch.suppliedMl = tipMl;
-      branch.ending = Ending::None;
-    }
+    if (skeleton.daughters(node) == 0) branch.suppliedMl = tipMl;
     branchOf[node] = tree.add(std::move(branch));
   }
   return skeleton.tips();

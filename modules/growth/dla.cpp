@@ -12,8 +12,10 @@
 #include "core/joint_progress.h"
 #include "core/memory.h"
 #include "core/parallel.h"
+#include "core/units.h"
 #include "growth/aggregate_tree.h"
 #include "growth/lobe_lattice.h"
+#include "growth/seeding.h"
 
 namespace pneuma {
 namespace {
@@ -25,16 +27,6 @@ constexpr double TerminalTolerance = 0.02;
 constexpr int MostTrials = 6;
 constexpr double BytesPerParticle = 400.0;  // cluster, way to the tree, tree
 constexpr double ShareOfMemory = 0.8;
-
-// Where the lattice lies relative to the lobes' box; odd, so that no voxel's centre lies on a round
-// coordinate.
-const Vec3 LatticeOffset(0.37, 0.29, 0.43);
-
-double volumeMm3(std::span<const LobeRegion> lobes) {
-  double volume = 0.0;
-  for (const LobeRegion& region : lobes) volume += region.domain->volumeMm3();
-  return volume;
-}
 
 /// What is wanted of the five lobes, in the order of FiveLobes.
 std::array<double, 5> givenShares(const DlaOptions& options) {
@@ -49,7 +41,7 @@ std::vector<double> launchShares(std::span<const LobeRegion> lobes, const DlaOpt
   std::vector<double> shares;
   if (sum == 0.0) {
     for (const LobeRegion& region : lobes) {
-      shares.push_back(region.domain->volumeMm3() / volumeMm3(lobes));
+      shares.push_back(region.domain->volumeMm3() / totalVolumeMm3(lobes));
     }
     return shares;
   }
@@ -98,7 +90,7 @@ struct GrownLobe {
   std::uint64_t launches = 0;
 };
 
-/// The largest power of ten of bytes that says something, for people.
+/// Bytes for people.
 std::string gigabytes(double bytes) { return textOf(std::round(bytes / 1e7) / 100.0) + " GB"; }
 
 class Grower {
@@ -280,7 +272,8 @@ class Grower {
       tips.all += own.all;
       tips.kept += own.kept;
       if (own.kept > 0) continue;
-      const double ml = millilitresOf(i) / static_cast<double>(inlets_[i].size());
+      const double ml =
+          millilitres(lobes_[i].domain->volumeMm3()) / static_cast<double>(inlets_[i].size());
       for (const std::size_t inlet : inlets_[i]) result.tree.setSuppliedMl(inlet, ml);
     }
     assignDiameters(result.tree, DiameterLaw::Flow, options_.diameterExponent);
@@ -290,8 +283,6 @@ class Grower {
     last.report(1.0);
     return result;
   }
-
-  double millilitresOf(std::size_t lobe) const { return lobes_[lobe].domain->volumeMm3() / 1000.0; }
 
   /// The lobes' particles as if walkers had been sent to them in turn by their shares.
   static std::vector<AggregatePoint> inOrderOfArrival(const std::vector<GrownLobe>& grown) {

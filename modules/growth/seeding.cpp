@@ -14,16 +14,6 @@ namespace {
 
 constexpr double MostNodes = 40e6;
 
-// Where the lattice lies relative to the lobes' box; odd, so that no node lies on a round
-// coordinate.
-const Vec3 LatticeOffset(0.37, 0.29, 0.43);
-
-double totalVolumeMm3(std::span<const LobeRegion> lobes) {
-  double volume = 0.0;
-  for (const LobeRegion& region : lobes) volume += region.domain->volumeMm3();
-  return volume;
-}
-
 std::vector<Vec3> nodesInside(const Domain& domain, const Vec3& anchor, double spacing,
                               const Progress& progress) {
   const Box3 box = domain.bounds();
@@ -106,6 +96,12 @@ void thin(SeedPoints& seeds, std::size_t surplus, std::uint64_t seed) {
 }
 
 }  // namespace
+
+double totalVolumeMm3(std::span<const LobeRegion> lobes) {
+  double volume = 0.0;
+  for (const LobeRegion& region : lobes) volume += region.domain->volumeMm3();
+  return volume;
+}
 
 std::size_t SeedPoints::count() const {
   std::size_t sum = 0;

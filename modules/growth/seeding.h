@@ -18,6 +18,13 @@ struct SeedPoints {
   std::size_t count() const;
 };
 
+/// Where lattices lie relative to the corner of the lobes' box, in spacings; odd, so that no node
+/// lies on a round coordinate.
+inline const Vec3 LatticeOffset(0.37, 0.29, 0.43);
+
+/// Of all lobes together.
+double totalVolumeMm3(std::span<const LobeRegion> lobes);
+
 /// Lattice points of the given spacing.
 /// @param jitter each point is moved by up to this share of half the spacing per axis; moved points
 ///        that leave their lobe stay where they were
