@@ -7,17 +7,20 @@ find_package(Threads REQUIRED)
 
 if(NOT PNEUMA_CORE_ONLY)
   find_package(CGAL 5.5 REQUIRED)                  # surfaces, private to geometry
-  find_package(OpenCV 4.6 REQUIRED COMPONENTS core imgproc quality) # SSIM, private to render
+  find_package(OpenCV 4.6 REQUIRED COMPONENTS core imgproc quality) # SSIM in render, image filters in segmentation
   find_package(nlohmann_json 3.11 REQUIRED)        # reports
   find_package(CLI11 2.1 REQUIRED)                 # command line
   find_package(OpenSSL 3.0 REQUIRED COMPONENTS Crypto) # SHA-256 of inputs
+  find_package(LibArchive 3.6 REQUIRED)            # zipped series, private to io
+  find_package(ZLIB REQUIRED)                      # compressed volumes, private to io
   # Single modules, never ${VTK_LIBRARIES}: modules tainted by MPI break the NRRD reader.
   find_package(
     VTK 9.1 REQUIRED
     COMPONENTS CommonColor CommonCore CommonDataModel CommonExecutionModel CommonMath CommonTransforms
                FiltersCore FiltersGeneral FiltersGeometry FiltersSources
-               IOCore IOGeometry IOImage IOPLY IOXML
+               IOCore IOGeometry IOImage IOPLY IOXML ImagingCore
                InteractionStyle RenderingCore RenderingFreeType RenderingOpenGL2)
+  find_package(DICOM 0.8 REQUIRED)                 # vtk-dicom: series of CT slices, private to io
   if(PNEUMA_BUILD_GUI)
     find_package(Qt5 5.15 REQUIRED COMPONENTS Core Gui Widgets Svg)
     find_package(VTK 9.1 REQUIRED COMPONENTS GUISupportQt)

@@ -11,6 +11,8 @@ packages=(
   libeigen3-dev libtbb-dev libnanoflann-dev
   # surfaces, pictures, window
   libcgal-dev libopencv-dev libvtk9-dev libvtk9-qt-dev qtbase5-dev libqt5svg5-dev
+  # CT: DICOM series, zips of them, compressed volumes
+  libvtk-dicom-dev libarchive-dev zlib1g-dev
   # command line, reports, hashes of inputs
   libcli11-dev nlohmann-json3-dev libssl-dev
   # tests and benchmarks

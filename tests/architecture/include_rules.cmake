@@ -4,13 +4,14 @@
 cmake_minimum_required(VERSION 3.25)
 
 # What each module may use of ours beside itself, bottom to top.
-set(MODULES core anatomy growth geometry io pipeline render)
+set(MODULES core anatomy growth geometry segmentation io pipeline render)
 set(core_MAY_USE "")
 set(anatomy_MAY_USE core)
 set(growth_MAY_USE core anatomy)
 set(geometry_MAY_USE core)
+set(segmentation_MAY_USE core anatomy geometry)
 set(io_MAY_USE core anatomy)
-set(pipeline_MAY_USE core anatomy growth geometry io)
+set(pipeline_MAY_USE core anatomy growth geometry segmentation io)
 set(render_MAY_USE core anatomy)
 
 list(JOIN MODULES "|" OUR_FOLDERS)
@@ -33,12 +34,12 @@ endfunction()
 function(check_third_party file header)
   restrict(${file} ${header} "^CGAL/" "^(modules/geometry|tests)/.*[.]cpp$"
            "CGAL belongs in the .cpp files of modules/geometry")
-  restrict(${file} ${header} "^opencv" "^modules/render/.*[.]cpp$"
-           "OpenCV belongs in the .cpp files of modules/render")
+  restrict(${file} ${header} "^opencv" "^modules/(segmentation|render)/.*[.]cpp$"
+           "OpenCV belongs in the .cpp files of modules/segmentation and render")
   restrict(${file} ${header} "^Q([A-Z]|t)" "^(app|tests)/gui/" "Qt belongs in app/gui")
   restrict(${file} ${header} "^vtk"
-           "^(modules/render|app/gui|tests)/|^modules/(io|pipeline)/.*[.]cpp$"
-           "VTK belongs in render, and in the .cpp files of io and pipeline")
+           "^(modules/render|app/gui|tests)/|^modules/(io|pipeline|segmentation)/.*[.]cpp$"
+           "VTK belongs in render, and in the .cpp files of segmentation, io and pipeline")
   restrict(${file} ${header} "^(tbb|oneapi)/" "[.]cpp$"
            "TBB belongs in .cpp files, behind core/parallel.h")
   if(file MATCHES "^modules/(core|anatomy|growth)/"
