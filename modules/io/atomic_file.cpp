@@ -13,32 +13,13 @@
 #include <unistd.h>
 
 #include "core/error.h"
+#include "io/detail/input_file.h"
 #include "io/detail/text_fields.h"
 
 namespace pneuma {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// A file descriptor that closes itself.
-class Descriptor {
- public:
-  explicit Descriptor(int number) : number_(number) {}
-
-  ~Descriptor() {
-    if (number_ >= 0) ::close(number_);
-  }
-
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-
-  int number() const { return number_; }
-
-  bool isOpen() const { return number_ >= 0; }
-
- private:
-  int number_;
-};
 
 fs::path folderOf(const fs::path& path) {
   const fs::path folder = path.parent_path();
@@ -121,136 +102,99 @@ void requireFreeName(const fs::path& path, Existing existing) {
   }
 }
 
-/// A new file beside its target that goes away unless it takes the target's place.
-class TemporaryFile {
- public:
-  explicit TemporaryFile(const fs::path& target) : target_(target) {
-    std::random_device random;
-    for (int attempt = 0; attempt < 16; ++attempt) {
-      std::array<char, 40> name{};
-      std::snprintf(name.data(), name.size(), ".pneuma-%08x%08x.part", random(), random());
-      path_ = folderOf(target) / name.data();
-      number_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
-      if (number_ >= 0) return;
-      if (errno != EEXIST) throwSystemError(target, errno);
-    }
-    throwSystemError(target, EEXIST);
+/// link() fails if the name was taken meanwhile; rename() would replace that file.
+void takeFreeName(const fs::path& from, const fs::path& target) {
+  if (::link(from.c_str(), target.c_str()) == 0) {
+    ::unlink(from.c_str());
+    return;
   }
-
-  ~TemporaryFile() {
-    if (number_ >= 0) ::close(number_);
-    if (!path_.empty()) ::unlink(path_.c_str());
+  const int error = errno;
+  requireFreeName(target, Existing::Refuse);
+  // Disks without hard links (FAT, some network disks).
+  const bool noLinks = error == EPERM || error == EOPNOTSUPP || error == ENOSYS;
+  if (!noLinks || ::rename(from.c_str(), target.c_str()) != 0) {
+    throwSystemError(target, noLinks ? errno : error);
   }
-
-  TemporaryFile(const TemporaryFile&) = delete;
-  TemporaryFile& operator=(const TemporaryFile&) = delete;
-
-  void write(std::string_view content) const {
-    while (!content.empty()) {
-      const ssize_t written = ::write(number_, content.data(), content.size());
-      if (written < 0 && errno == EINTR) continue;
-      if (written < 0) throwSystemError(target_, errno);
-      content.remove_prefix(static_cast<std::size_t>(written));
-    }
-  }
-
-  /// Syncs, takes the target's place and syncs the folder.
-  void commit(Existing existing) {
-    struct stat old {};
-
-    if (::stat(target_.c_str(), &old) == 0) ::fchmod(number_, old.st_mode & 07777);
-    if (::fsync(number_) != 0 || ::close(std::exchange(number_, -1)) != 0) {
-      throwSystemError(target_, errno);
-    }
-    if (existing == Existing::Refuse) {
-      takeFreeName();
-    } else if (::rename(path_.c_str(), target_.c_str()) != 0) {
-      throwSystemError(target_, errno);
-    }
-    path_.clear();
-    // Some file systems cannot sync a folder; the file itself is safe by now.
-    const Descriptor folder(::open(folderOf(target_).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-    if (folder.isOpen()) ::fsync(folder.number());
-  }
-
- private:
-  void takeFreeName() const {
-    // link() fails if the name was taken meanwhile; rename() would replace that file.
-    if (::link(path_.c_str(), target_.c_str()) == 0) {
-      ::unlink(path_.c_str());
-      return;
-    }
-    const int error = errno;
-    requireFreeName(target_, Existing::Refuse);
-    // Disks without hard links (FAT, some network disks).
-    const bool noLinks = error == EPERM || error == EOPNOTSUPP || error == ENOSYS;
-    if (!noLinks || ::rename(path_.c_str(), target_.c_str()) != 0) {
-      throwSystemError(target_, noLinks ? errno : error);
-    }
-  }
-
-  fs::path target_;
-  fs::path path_;
-  int number_ = -1;
-};
+}
 
 }  // namespace
 
+AtomicFile::AtomicFile(const fs::path& path, Existing existing)
+    : target_(targetOf(path)), existing_(existing) {
+  requireFreeName(target_, existing);
+  std::random_device random;
+  for (int attempt = 0; attempt < 16; ++attempt) {
+    std::array<char, 40> name{};
+    std::snprintf(name.data(), name.size(), ".pneuma-%08x%08x.part", random(), random());
+    part_ = folderOf(target_) / name.data();
+    number_ = ::open(part_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+    if (number_ >= 0) return;
+    if (errno != EEXIST) throwSystemError(target_, errno);
+  }
+  throwSystemError(target_, EEXIST);
+}
+
+AtomicFile::~AtomicFile() {
+  if (number_ >= 0) ::close(number_);
+  if (!part_.empty()) ::unlink(part_.c_str());
+}
+
+void AtomicFile::write(std::string_view content) {
+  while (!content.empty()) {
+    const ssize_t written = ::write(number_, content.data(), content.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) throwSystemError(target_, errno);
+    content.remove_prefix(static_cast<std::size_t>(written));
+  }
+}
+
+void AtomicFile::overwrite(std::uint64_t offset, std::string_view content) {
+  const off_t end = ::lseek(number_, 0, SEEK_CUR);
+  if (end < 0 || ::lseek(number_, static_cast<off_t>(offset), SEEK_SET) < 0) {
+    throwSystemError(target_, errno);
+  }
+  write(content);
+  if (::lseek(number_, end, SEEK_SET) < 0) throwSystemError(target_, errno);
+}
+
+void AtomicFile::commit() {
+  struct stat old {};
+
+  if (::stat(target_.c_str(), &old) == 0) ::fchmod(number_, old.st_mode & 07777);
+  if (::fsync(number_) != 0 || ::close(std::exchange(number_, -1)) != 0) {
+    throwSystemError(target_, errno);
+  }
+  if (existing_ == Existing::Refuse) {
+    takeFreeName(part_, target_);
+  } else if (::rename(part_.c_str(), target_.c_str()) != 0) {
+    throwSystemError(target_, errno);
+  }
+  part_.clear();
+  // Some file systems cannot sync a folder; the file itself is safe by now.
+  const Descriptor folder(::open(folderOf(target_).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (folder.isOpen()) ::fsync(folder.number());
+}
+
 void requireWritable(const fs::path& path, Existing existing) {
-  const fs::path target = targetOf(path);
-  requireFreeName(target, existing);
   // Permissions, read-only disks and odd file systems: trying is the one sure test.
-  const TemporaryFile probe(target);
+  const AtomicFile probe(path, existing);
 }
 
 void writeFile(const fs::path& path, std::string_view content, Existing existing) {
-  const fs::path target = targetOf(path);
-  requireFreeName(target, existing);
-  TemporaryFile file(target);
+  AtomicFile file(path, existing);
   file.write(content);
-  file.commit(existing);
+  file.commit();
 }
 
 std::string readFile(const fs::path& path, std::size_t limit) {
-  std::error_code error;
-  const fs::file_status status = fs::status(path, error);
-  if (status.type() == fs::file_type::not_found) {
-    throw InputMissing("there is no file " + quoted(path) + "; check its name and folder");
-  }
-  if (status.type() == fs::file_type::directory) {
-    throw InputMissing(quoted(path) + " is a folder; name a file in it");
-  }
-  // Opened without waiting: a pipe that nobody writes to must not hang the program.
-  const Descriptor file(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
-
-  struct stat information {};
-
-  if (!file.isOpen() || ::fstat(file.number(), &information) != 0) {
-    throw InputMissing("cannot read " + quoted(path) + ": " +
-                       std::generic_category().message(errno) + "; check its permissions");
-  }
-  if (!S_ISREG(information.st_mode)) {
-    throw InputMissing(quoted(path) + " is a device or a pipe; name a file");
-  }
-  const std::size_t size = static_cast<std::size_t>(information.st_size);
-  if (size > limit) {
-    throw InvalidInput(quoted(path) + " has " + std::to_string(size) +
+  const InputFile file(path);
+  if (file.size() > limit) {
+    throw InvalidInput(quoted(path) + " has " + std::to_string(file.size()) +
                        " bytes, more than the limit of " + std::to_string(limit) +
                        "; is it the right file?");
   }
-  std::string content(size, '\0');
-  std::size_t filled = 0;
-  while (filled < size) {
-    const ssize_t count = ::read(file.number(), content.data() + filled, size - filled);
-    if (count < 0 && errno == EINTR) continue;
-    if (count < 0) {
-      throw InputMissing("cannot read " + quoted(path) + ": " +
-                         std::generic_category().message(errno));
-    }
-    if (count == 0) break;
-    filled += static_cast<std::size_t>(count);
-  }
-  content.resize(filled);
+  std::string content(file.size(), '\0');
+  content.resize(file.read(content, 0));
   return content;
 }
 

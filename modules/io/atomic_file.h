@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -12,6 +13,32 @@ enum class Existing { Refuse, Replace };
 /// Throws now if `path` could not be written later: before long work, not after it.
 /// @throws OutputFailed naming the path and what to do (exists, no folder, read-only, a folder)
 void requireWritable(const std::filesystem::path& path, Existing existing = Existing::Replace);
+
+/// A file that is written piece by piece beside its target. It takes the target's place when it is
+/// whole, and goes away if that never happens.
+class AtomicFile {
+ public:
+  /// @throws OutputFailed naming the path and what to do, as requireWritable()
+  explicit AtomicFile(const std::filesystem::path& path, Existing existing = Existing::Replace);
+  ~AtomicFile();
+  AtomicFile(const AtomicFile&) = delete;
+  AtomicFile& operator=(const AtomicFile&) = delete;
+
+  /// Appends. @throws OutputFailed
+  void write(std::string_view content);
+
+  /// Replaces bytes written before, from `offset` on. @throws OutputFailed
+  void overwrite(std::uint64_t offset, std::string_view content);
+
+  /// Syncs, takes the target's place and syncs the folder; nothing may follow. @throws OutputFailed
+  void commit();
+
+ private:
+  std::filesystem::path target_;  ///< what a symbolic link stands for, so that the link survives
+  std::filesystem::path part_;    ///< empty once it has become the target
+  Existing existing_;
+  int number_ = -1;
+};
 
 /// Writes a file aside, syncs it and renames it: the old file whole or the new one whole.
 /// @throws OutputFailed naming the path and the reason; nothing is left behind
