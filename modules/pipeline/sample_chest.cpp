@@ -15,125 +15,10 @@
 #include "core/error.h"
 #include "core/parallel.h"
 #include "pipeline/contour.h"
+#include "pipeline/sample_lung.h"
 
 namespace pneuma {
 namespace {
-
-double square(double v) { return v * v; }
-
-// The fissures in the frame of the model, below: oblique z = h - slope y - bend y^2, horizontal
-// z = h + slope y - sideBend (x - side)^2.
-constexpr double ObliqueSlope = 1.15;
-constexpr double ObliqueBend = 0.0009;
-constexpr double HorizontalSlope = 0.06;
-constexpr double HorizontalSideBend = 0.0005;
-constexpr double HorizontalSide = 80.0;
-
-/// The smaller of two levels with the edge between them rounded over about `width`; never larger
-/// than the minimum, and 1-Lipschitz if both are.
-double roundedMin(double a, double b, double width) {
-  const double h = std::max(width - std::abs(a - b), 0.0) / width;
-  return std::min(a, b) - h * h * width / 4.0;
-}
-
-/// Level of the outside of an ellipsoid about `centre`: 0 on it, 1-Lipschitz. An infinite semi-axis
-/// makes it a cylinder.
-double outsideEllipsoid(const Vec3& p, const Vec3& centre, const Vec3& semiAxes) {
-  return ((p - centre).cwiseQuotient(semiAxes).norm() - 1.0) * semiAxes.minCoeff();
-}
-
-/// The shape of one lung and its fissures. Frame of the model: x away from the midline, y to the
-/// front, z up, carina at the origin, mm.
-struct LungShape {
-  Side side = Side::Right;
-  double scale = 1.0;  ///< of the whole pleura
-  Vec3 heartCentre;    ///< at scale 1
-  Vec3 heartSemiAxes;
-  double oblique = 0.0;     ///< height of the oblique fissure at y = 0
-  double horizontal = 0.0;  ///< height of the horizontal fissure at x = 80, y = 0; right lung only
-
-  Vec3 modelFromLps(const Vec3& p) const {
-    return {side == Side::Left ? p.x() : -p.x(), -p.y(), p.z()};
-  }
-
-  Vec3 lpsFromModel(const Vec3& p) const { return modelFromLps(p); }  // its own inverse
-
-  /// Positive inside the pleura, negative outside, 0 on it; at most the distance to it. The lung of
-  /// docs/algorithms/centroid-splitting.md with rounded edges and a smaller diaphragm.
-  double pleura(const Vec3& model) const {
-    constexpr double Rounding = 8.0;
-    constexpr double SectionMm = 31.0;  // makes the section's level 1-Lipschitz in the lung's box
-    constexpr double Endless = 1e9;
-    const Vec3 p = model / scale;
-    const double t = std::max(0.0, (p.z() + 158.0) / 270.0);
-    const double waist = 1.0 - std::pow(t, 2.4);
-    const double section = std::copysign(std::pow(std::abs(waist), 1.15), waist) -
-                           std::pow(std::abs((p.x() - 18.0) / 118.0), 2.3) -
-                           std::pow(std::abs((p.y() + 8.0) / 98.0), 2.3);
-    double level = roundedMin(SectionMm * section, p.x() - 18.0, Rounding);
-    // The base rises to the front, so that the oblique fissure leaves no pocket of lower lobe
-    // there.
-    const double aboveBase = (p.z() + 152.0 - 0.4 * std::max(p.y(), 0.0)) / 1.08;
-    level = roundedMin(level, aboveBase, Rounding);
-    const auto outside = [&](const Vec3& centre, const Vec3& semiAxes) {
-      level = roundedMin(level, outsideEllipsoid(p, centre, semiAxes), Rounding);
-    };
-    outside({70.0, 20.0, -158.0}, {62.0, 84.0, 62.0});  // diaphragm
-    outside(heartCentre, heartSemiAxes);
-    outside({0.0, -78.0, 0.0}, {34.0, 45.0, Endless});  // spine
-    return scale * level;
-  }
-
-  /// Positive above the oblique fissure.
-  double aboveOblique(const Vec3& p) const {
-    constexpr double Steepest = 1.7;  // of the gradient, in the lung's box
-    return (p.z() - oblique + ObliqueSlope * p.y() + ObliqueBend * square(p.y())) / Steepest;
-  }
-
-  /// Positive above the horizontal fissure.
-  double aboveHorizontal(const Vec3& p) const {
-    constexpr double Steepest = 1.01;
-    return (p.z() - horizontal - HorizontalSlope * p.y() +
-            HorizontalSideBend * square(p.x() - HorizontalSide)) /
-           Steepest;
-  }
-
-  /// The same fissures in LPS, where y changes its sign and on the right x as well.
-  std::vector<SampleFissure> fissures() const {
-    if (side == Side::Left) return {{"left-oblique", oblique, ObliqueSlope, -ObliqueBend}};
-    return {{"right-oblique", oblique, ObliqueSlope, -ObliqueBend},
-            {"right-horizontal", horizontal, -HorizontalSlope, 0.0, -HorizontalSideBend,
-             -HorizontalSide}};
-  }
-
-  /// LPS box of the lung.
-  Box3 bounds() const {
-    Box3 box;
-    box.extend(lpsFromModel(scale * Vec3(18.0, -106.0, -158.0)));
-    box.extend(lpsFromModel(scale * Vec3(136.0, 90.0, 112.0)));
-    return box;
-  }
-};
-
-/// Both shapes have the volumes of an adult man's lungs at rest: about 3.3 and 2.9 l. The left one
-/// gives way to the heart.
-LungShape shapeOf(Side side) {
-  LungShape shape;
-  shape.side = side;
-  if (side == Side::Right) {
-    shape.scale = 1.0855;
-    shape.heartCentre = {0.0, 38.0, -78.0};
-    shape.heartSemiAxes = {56.0, 52.0, 72.0};
-    shape.oblique = -50.0;
-    shape.horizontal = -16.0;
-  } else {
-    shape.scale = 1.065;
-    shape.heartCentre = {12.0, 42.0, -80.0};
-    shape.heartSemiAxes = {66.0, 56.0, 76.0};
-    shape.oblique = -45.0;
-  }
-  return shape;
-}
 
 /// The values that tell the lobes of a lung apart at a point, each positive on one side.
 struct Levels {
@@ -157,7 +42,7 @@ double levelIn(Lobe lobe, const Levels& at) {
   }
 }
 
-Levels levelsAt(const LungShape& shape, const Vec3& lps) {
+Levels levelsAt(const SampleLung& shape, const Vec3& lps) {
   const Vec3 p = shape.modelFromLps(lps);
   return {shape.pleura(p), shape.aboveOblique(p), shape.aboveHorizontal(p)};
 }
@@ -165,7 +50,7 @@ Levels levelsAt(const LungShape& shape, const Vec3& lps) {
 /// A lobe as its formulas say.
 class FormulaLobe : public Domain {
  public:
-  FormulaLobe(const LungShape& shape, Lobe lobe, double volumeMm3)
+  FormulaLobe(const SampleLung& shape, Lobe lobe, double volumeMm3)
       : shape_(shape), lobe_(lobe), volumeMm3_(volumeMm3) {}
 
   bool contains(const Vec3& p) const override { return bounds().contains(p) && level(p) > 0.0; }
@@ -183,7 +68,7 @@ class FormulaLobe : public Domain {
  private:
   double level(const Vec3& p) const { return levelIn(lobe_, levelsAt(shape_, p)); }
 
-  LungShape shape_;
+  SampleLung shape_;
   Lobe lobe_;
   double volumeMm3_;
 };
@@ -191,7 +76,7 @@ class FormulaLobe : public Domain {
 /// A lattice over a lung with the levels at its nodes.
 class LungLattice {
  public:
-  LungLattice(const LungShape& shape, double cellMm) : cellMm_(cellMm) {
+  LungLattice(const SampleLung& shape, double cellMm) : cellMm_(cellMm) {
     const Box3 box = shape.bounds();
     origin_ = box.min() - cellMm * Vec3(1.37, 1.29, 1.43);
     size_ = ((box.max() - origin_) / cellMm).array().ceil().matrix().cast<int>() +
@@ -326,7 +211,7 @@ SampleChest sampleChest(double cellMm, const Progress& progress) {
   }
   SampleChest chest;
   for (const Side lung : {Side::Right, Side::Left}) {
-    const LungShape shape = shapeOf(lung);
+    const SampleLung shape = sampleLung(lung);
     for (const SampleFissure& fissure : shape.fissures()) chest.fissures.push_back(fissure);
     progress.report(static_cast<double>(chest.lobes.size()) / 5.0);
     const LungLattice lattice(shape, cellMm);

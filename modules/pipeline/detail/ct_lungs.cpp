@@ -1,0 +1,71 @@
+#include <algorithm>
+#include <cmath>
+
+#include "pipeline/detail/ct_thorax.h"
+
+namespace pneuma {
+namespace {
+
+/// Air and tissue of a lung at rest: denser towards the back, where a person on a table lies on it.
+double parenchymaHu(const Vec3& p) { return -868.0 + 0.22 * (p.y() - 10.0); }
+
+constexpr double CollapsedHu = 35.0;
+
+/// Below this height the left lung is collapsed, if it is; higher at the back.
+double collapsedBelow(const Vec3& p) { return -75.0 + 0.35 * p.y(); }
+
+double slabLevel(double value, double low, double high) {
+  return std::min(value - low, high - value);
+}
+
+/// What a lung reaches towards the midline, to touch the other but for a sheet.
+double touchLevel(Side side, double deepMm, const Vec3& p) {
+  constexpr double HalfSheetMm = 0.15;
+  constexpr double ReachMm = 34.0;     // well into the lung
+  constexpr double PosteriorMm = 7.0;  // all the room between oesophagus and spine
+  const double across = side == Side::Left ? p.x() : -p.x();
+  const double sideways = slabLevel(across, HalfSheetMm, ReachMm);
+  const double depth = cageLevel(p);  // the front lies along the wall of the chest
+  const double front =
+      std::min({slabLevel(depth, 2.0, 2.0 + deepMm), slabLevel(p.z(), -4.0, 52.0), -p.y() - 20.0});
+  const double back = std::min(slabLevel(p.y(), 27.0, 27.0 + std::min(deepMm, PosteriorMm)),
+                               slabLevel(p.z(), 55.0, 85.0));
+  return std::min(sideways, std::max(front, back));
+}
+
+std::function<double(const Vec3&)> lungLevel(Side side, double touchingMm) {
+  const SampleLung lung = sampleLung(side);
+  return [lung, touchingMm, box = lung.bounds()](const Vec3& p) {
+    const double toBox = box.exteriorDistance(p);
+    double level = toBox > 0.0 ? -toBox : lung.pleura(lung.modelFromLps(p));
+    if (touchingMm > 0.0) level = std::max(level, touchLevel(lung.side, touchingMm, p));
+    return level;
+  };
+}
+
+}  // namespace
+
+CtBody lungShapes(const ThoraxVariant& variant) {
+  CtBody body;
+  for (const Side side : {Side::Right, Side::Left}) {
+    CtShape lung;
+    lung.box = widened(sampleLung(side).bounds(), variant.touchingLungsMm > 0.0 ? 25.0 : 0.0);
+    lung.level = lungLevel(side, variant.touchingLungsMm);
+    lung.huAt = parenchymaHu;
+    lung.label = side == Side::Right ? Lobe::RightLung : Lobe::LeftLung;
+    if (side == Side::Left && variant.collapsed) {
+      CtShape dense = lung;
+      dense.huAt = {};
+      dense.hu = CollapsedHu;
+      dense.level = [all = lung.level](const Vec3& p) {
+        constexpr double Steepest = 1.06;
+        return std::min(all(p), (collapsedBelow(p) - p.z()) / Steepest);
+      };
+      body.push_back(std::move(dense));
+    }
+    body.push_back(std::move(lung));
+  }
+  return body;
+}
+
+}  // namespace pneuma
