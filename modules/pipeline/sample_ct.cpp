@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <utility>
 
 #include "core/random.h"
@@ -94,8 +95,9 @@ SampleCt sampleCt(const SampleChest& chest, const SampleCtOptions& options,
                               progress.part(0.0, 0.15, "growing bronchi and vessels"));
   const ThoraxVariant variant{options.collapsed, options.stomachGas, options.touchingLungsMm};
   CtBody body = std::move(airways.shapes);
-  append(body, lungShapes(variant));
-  append(body, trunkShapes(variant));
+  const std::shared_ptr<const ThoraxLevels> levels = thoraxLevels();
+  append(body, lungShapes(variant, levels));
+  append(body, trunkShapes(variant, levels));
 
   SampleCt result;
   result.central = chest.central;

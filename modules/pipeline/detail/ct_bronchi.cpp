@@ -86,8 +86,8 @@ class Bronchi {
 
   CtBronchi build(std::uint64_t seed, const Progress& progress) {
     const AirwayTree all =
-        grown(chest_.central, chest_, 700, seed, progress.part(0.0, 0.5, "growing bronchi"));
-    const AirwayTree veins = grown(centralVeins(chest_), chest_, 500, seed + 1,
+        grown(chest_.central, chest_, 1800, seed, progress.part(0.0, 0.5, "growing bronchi"));
+    const AirwayTree veins = grown(centralVeins(chest_), chest_, 1500, seed + 1,
                                    progress.part(0.5, 1.0, "growing veins"));
     CtBronchi result;
     result.airways = upTo(DeepestGeneration, all);

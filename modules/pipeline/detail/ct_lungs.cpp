@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "pipeline/detail/ct_thorax.h"
+#include "pipeline/sample_lung.h"
 
 namespace pneuma {
 namespace {
@@ -19,13 +21,13 @@ double slabLevel(double value, double low, double high) {
 }
 
 /// What a lung reaches towards the midline, to touch the other but for a sheet.
-double touchLevel(Side side, double deepMm, const Vec3& p) {
+/// @param depth below the wall of the chest, which it lies along in front
+double touchLevel(Side side, double deepMm, double depth, const Vec3& p) {
   constexpr double HalfSheetMm = 0.15;
   constexpr double ReachMm = 34.0;     // well into the lung
   constexpr double PosteriorMm = 7.0;  // all the room between oesophagus and spine
   const double across = side == Side::Left ? p.x() : -p.x();
   const double sideways = slabLevel(across, HalfSheetMm, ReachMm);
-  const double depth = cageLevel(p);  // the front lies along the wall of the chest
   const double front =
       std::min({slabLevel(depth, 2.0, 2.0 + deepMm), slabLevel(p.z(), -4.0, 52.0), -p.y() - 20.0});
   const double back = std::min(slabLevel(p.y(), 27.0, 27.0 + std::min(deepMm, PosteriorMm)),
@@ -33,24 +35,32 @@ double touchLevel(Side side, double deepMm, const Vec3& p) {
   return std::min(sideways, std::max(front, back));
 }
 
-std::function<double(const Vec3&)> lungLevel(Side side, double touchingMm) {
+/// From a table, and by the formula where it must be exact: near the pleura.
+std::function<double(const Vec3&)> lungLevel(Side side, double touchingMm,
+                                             const std::shared_ptr<const ThoraxLevels>& levels) {
+  constexpr double CellMm = 2.0;
+  constexpr double NearMm = 0.2;  // the table errs by less
   const SampleLung lung = sampleLung(side);
-  return [lung, touchingMm, box = lung.bounds()](const Vec3& p) {
+  const auto exact = [lung](const Vec3& p) { return lung.pleura(lung.modelFromLps(p)); };
+  const auto table =
+      std::make_shared<const LevelTable>(exact, widened(lung.bounds(), CellMm), CellMm);
+  return [=, box = lung.bounds()](const Vec3& p) {
     const double toBox = box.exteriorDistance(p);
-    double level = toBox > 0.0 ? -toBox : lung.pleura(lung.modelFromLps(p));
-    if (touchingMm > 0.0) level = std::max(level, touchLevel(lung.side, touchingMm, p));
+    double level = toBox > 0.0 ? -toBox : (*table)(p);
+    if (std::abs(level) < NearMm && toBox == 0.0) level = exact(p);
+    if (touchingMm > 0.0) level = std::max(level, touchLevel(side, touchingMm, levels->cage(p), p));
     return level;
   };
 }
 
 }  // namespace
 
-CtBody lungShapes(const ThoraxVariant& variant) {
+CtBody lungShapes(const ThoraxVariant& variant, const std::shared_ptr<const ThoraxLevels>& levels) {
   CtBody body;
   for (const Side side : {Side::Right, Side::Left}) {
     CtShape lung;
     lung.box = widened(sampleLung(side).bounds(), variant.touchingLungsMm > 0.0 ? 25.0 : 0.0);
-    lung.level = lungLevel(side, variant.touchingLungsMm);
+    lung.level = lungLevel(side, variant.touchingLungsMm, levels);
     lung.huAt = parenchymaHu;
     lung.label = side == Side::Right ? Lobe::RightLung : Lobe::LeftLung;
     if (side == Side::Left && variant.collapsed) {

@@ -21,7 +21,11 @@ struct Block {
 class SlicePainter {
  public:
   SlicePainter(const CtBody& body, const ImageGeometry& geometry, int k)
-      : body_(body), geometry_(geometry), steps_(geometry.steps()), k_(k) {
+      : body_(body),
+        geometry_(geometry),
+        steps_(geometry.steps()),
+        products_((steps_.transpose() * steps_).cwiseAbs()),
+        k_(k) {
     for (const CtShape& shape : body) {
       if (shape.label == Lobe::RightLung || shape.label == Lobe::LeftLung) lungs_.push_back(&shape);
     }
@@ -30,8 +34,13 @@ class SlicePainter {
   }
 
   void paint() {
-    candidates_.resize(body_.size());
-    for (std::size_t i = 0; i < body_.size(); ++i) candidates_[i] = &body_[i];
+    ImageGeometry slice = geometry_;
+    slice.size[2] = 1;
+    slice.origin = world({0.0, 0.0, static_cast<double>(k_)});
+    const Box3 box = slice.bounds();
+    for (const CtShape& shape : body_) {
+      if (shape.box.intersects(box)) candidates_.push_back(&shape);
+    }
     paint(0, 0, geometry_.size[0], geometry_.size[1], 0);
   }
 
@@ -39,8 +48,8 @@ class SlicePainter {
   std::vector<std::uint8_t> labels_;
 
  private:
-  /// Mean HU is taken over parts of a voxel no larger than this.
-  static constexpr double PartMm = 0.65;
+  /// A voxel is divided until its parts are no larger than this.
+  static constexpr double PartMm = 1.26;
 
   /// Paints the voxels [i, i + width) x [j, j + height), where only the shapes from `first` to the
   /// end of candidates_ may be.
@@ -52,7 +61,7 @@ class SlicePainter {
     if (filled || candidates_.size() == mine) {
       fill(i, j, width, height, filled ? candidates_[mine] : nullptr);
     } else if (width == 1 && height == 1) {
-      const Vec3 centre = geometry_.worldFromVoxel(block.centre);
+      const Vec3 centre = world(block.centre);
       const std::size_t at = voxel(i, j);
       hu_[at] = static_cast<float>(mean(block, mine));
       labels_[at] = label(topmost(centre, mine), centre);
@@ -69,7 +78,7 @@ class SlicePainter {
   /// Adds those of the shapes from `first` on that reach into the block to the end of candidates_.
   /// @return whether the first of them fills it
   bool narrow(const Block& block, std::size_t first) {
-    const Vec3 centre = geometry_.worldFromVoxel(block.centre);
+    const Vec3 centre = world(block.centre);
     const double radius = radiusMm(block);
     const std::size_t end = candidates_.size();
     for (std::size_t c = first; c < end; ++c) {
@@ -83,25 +92,19 @@ class SlicePainter {
     return false;
   }
 
-  /// From the block's centre to its farthest corner.
+  /// From the block's centre to its farthest corner, or more.
   double radiusMm(const Block& block) const {
-    double radius = 0.0;
-    for (const double a : {-0.5, 0.5}) {
-      for (const double b : {-0.5, 0.5}) {
-        const Vec3 corner = block.extent.cwiseProduct(Vec3(a, b, 0.5));
-        radius = std::max(radius, (steps_ * corner).norm());
-      }
-    }
-    return radius;
+    return 0.5 * std::sqrt(block.extent.dot(products_ * block.extent));
   }
+
+  Vec3 world(const Vec3& voxel) const { return geometry_.origin + steps_ * voxel; }
 
   double mean(const Block& block, std::size_t first) {
     const Vec3 sidesMm = block.extent.cwiseProduct(geometry_.spacing);
     Eigen::Index longest = 0;
     const double longestMm = sidesMm.maxCoeff(&longest);
     if (longestMm <= PartMm) {
-      const Vec3 centre = geometry_.worldFromVoxel(block.centre);
-      return huOf(topmost(centre, first), centre);
+      return blended(world(block.centre), sidesMm.mean(), first);
     }
     double sum = 0.0;
     for (const double sign : {-1.0, 1.0}) {
@@ -112,13 +115,26 @@ class SlicePainter {
       const bool filled = narrow(half, first);
       if (filled || candidates_.size() == mine) {
         const CtShape* shape = filled ? candidates_[mine] : nullptr;
-        sum += huOf(shape, geometry_.worldFromVoxel(half.centre));
+        sum += huOf(shape, world(half.centre));
       } else {
         sum += mean(half, mine);
       }
       candidates_.resize(mine);
     }
     return sum / 2.0;
+  }
+
+  /// HU about `p`, where each shape covers as much as its level says. @param widthMm of the place
+  double blended(const Vec3& p, double widthMm, std::size_t first) const {
+    double open = 1.0;
+    double hu = 0.0;
+    for (std::size_t c = first; c < candidates_.size() && open > 0.0; ++c) {
+      const double covered = std::clamp(candidates_[c]->level(p) / widthMm + 0.5, 0.0, 1.0) * open;
+      if (covered == 0.0) continue;
+      hu += covered * huOf(candidates_[c], p);
+      open -= covered;
+    }
+    return hu + open * AirHu;
   }
 
   const CtShape* topmost(const Vec3& p, std::size_t first) const {
@@ -131,8 +147,8 @@ class SlicePainter {
   void fill(int i0, int j0, int width, int height, const CtShape* shape) {
     for (int j = j0; j < j0 + height; ++j) {
       for (int i = i0; i < i0 + width; ++i) {
-        const Vec3 p = geometry_.worldFromVoxel(
-            {static_cast<double>(i), static_cast<double>(j), static_cast<double>(k_)});
+        const Vec3 p =
+            world({static_cast<double>(i), static_cast<double>(j), static_cast<double>(k_)});
         hu_[voxel(i, j)] = static_cast<float>(huOf(shape, p));
         labels_[voxel(i, j)] = label(shape, p);
       }
@@ -158,6 +174,7 @@ class SlicePainter {
   const CtBody& body_;
   const ImageGeometry& geometry_;
   Mat3 steps_;
+  Mat3 products_;  ///< of the steps with each other, without signs
   int k_;
   std::vector<const CtShape*> lungs_;
   /// The shapes that may be in the block at hand stand at the end, below them those of the blocks

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <memory>
+
 #include "pipeline/detail/ct_body.h"
-#include "pipeline/sample_lung.h"
+#include "pipeline/detail/thorax_levels.h"
 
 namespace pneuma {
 
@@ -12,13 +14,10 @@ struct ThoraxVariant {
   double touchingLungsMm = 0.0;  ///< how deep from front to back the lungs touch; 0: nowhere
 };
 
-/// Both lungs with what they consist of, the collapsed part first.
-CtBody lungShapes(const ThoraxVariant& variant);
+/// Both lungs, the collapsed part first.
+CtBody lungShapes(const ThoraxVariant& variant, const std::shared_ptr<const ThoraxLevels>& levels);
 
 /// Everything of the trunk but lungs, airways and their vessels, and the table below it.
-CtBody trunkShapes(const ThoraxVariant& variant);
-
-/// Level of the cage that both lungs lie in: positive inside. The ribs run around it.
-double cageLevel(const Vec3& p);
+CtBody trunkShapes(const ThoraxVariant& variant, const std::shared_ptr<const ThoraxLevels>& levels);
 
 }  // namespace pneuma
