@@ -1,0 +1,99 @@
+#include "segmentation/closing.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/parallel.h"
+#include "segmentation/distance_map.h"
+#include "segmentation/voxel_runs.h"
+
+namespace pneuma {
+
+void closeByBall(std::vector<std::uint8_t>& set, const std::array<int, 3>& size,
+                 const Vec3& spacing, double radiusMm) {
+  if (radiusMm <= 0.0) return;
+  const auto replace = [&](const std::vector<float>& distance2) {
+    parallelFor(static_cast<std::size_t>(size[2]), [&](std::size_t k) {
+      const std::size_t slice = set.size() / static_cast<std::size_t>(size[2]);
+      for (std::size_t v = k * slice; v < (k + 1) * slice; ++v) {
+        set[v] = std::isinf(distance2[v]) ? std::uint8_t{1} : std::uint8_t{0};
+      }
+    });
+  };
+  replace(squaredDistances(set, size, spacing, radiusMm));  // set where the ball does not reach
+  replace(squaredDistances(set, size, spacing, radiusMm));  // and far from there
+}
+
+void fillHoles(std::vector<std::uint8_t>& set, const std::array<int, 3>& size) {
+  const VoxelRuns empty = runsWhere(size, [&](std::size_t v) { return set[v] == 0; });
+  const VoxelComponents parts = components(empty, Connection::InVolume);
+  const auto isHole = [&](const VoxelComponent& part) {
+    return part.low.minCoeff() > 0 && part.high.x() + 1 < size[0] && part.high.y() + 1 < size[1] &&
+           part.high.z() + 1 < size[2];
+  };
+  for (std::size_t row = 0; row < empty.rowCount(); ++row) {
+    for (std::uint32_t r = empty.rowStart[row]; r < empty.rowStart[row + 1]; ++r) {
+      if (!isHole(parts.all[parts.ofRun[r]])) continue;
+      const auto first = set.begin() + static_cast<std::ptrdiff_t>(empty.rowVoxel(row));
+      std::fill(first + empty.runs[r].first, first + empty.runs[r].end, std::uint8_t{1});
+    }
+  }
+}
+
+std::size_t keepLargest(std::vector<std::uint8_t>& set, const std::array<int, 3>& size) {
+  const VoxelRuns runs = runsWhere(size, [&](std::size_t v) { return set[v] != 0; });
+  const VoxelComponents parts = components(runs, Connection::InVolume);
+  const std::vector<std::size_t> order = parts.bySize();
+  if (order.empty()) return 0;
+  for (std::size_t row = 0; row < runs.rowCount(); ++row) {
+    for (std::uint32_t r = runs.rowStart[row]; r < runs.rowStart[row + 1]; ++r) {
+      if (parts.ofRun[r] == order[0]) continue;
+      const auto first = set.begin() + static_cast<std::ptrdiff_t>(runs.rowVoxel(row));
+      std::fill(first + runs.runs[r].first, first + runs.runs[r].end, std::uint8_t{0});
+    }
+  }
+  return parts.all[order[0]].voxels;
+}
+
+VoxelBox boxOf(const LabelImage& labels, std::uint8_t label, double marginMm) {
+  const auto [width, height, depth] = labels.geometry.size;
+  const auto slices = static_cast<std::size_t>(depth);
+  std::vector<Eigen::Vector3i> low(slices, Eigen::Vector3i::Constant(1 << 30));
+  std::vector<Eigen::Vector3i> high(slices, Eigen::Vector3i::Constant(-1));
+  parallelFor(slices, [&](std::size_t k) {
+    const std::uint8_t* slice = labels.voxels.data() + k * labels.geometry.sliceCount();
+    for (int j = 0; j < height; ++j) {
+      const std::uint8_t* row = slice + static_cast<std::ptrdiff_t>(j) * width;
+      const std::uint8_t* found = std::find(row, row + width, label);
+      if (found == row + width) continue;
+      int last = width - 1;
+      while (row[last] != label) --last;
+      const auto first = static_cast<int>(found - row);
+      low[k] = low[k].cwiseMin(Eigen::Vector3i(first, j, static_cast<int>(k)));
+      high[k] = high[k].cwiseMax(Eigen::Vector3i(last, j, static_cast<int>(k)));
+    }
+  });
+  Eigen::Vector3i first = Eigen::Vector3i::Constant(1 << 30);
+  Eigen::Vector3i last = Eigen::Vector3i::Constant(-1);
+  for (std::size_t k = 0; k < slices; ++k) {
+    first = first.cwiseMin(low[k]);
+    last = last.cwiseMax(high[k]);
+  }
+  if (last.x() < 0) return {};
+  VoxelBox box;
+  for (int axis = 0; axis < 3; ++axis) {
+    const int margin = static_cast<int>(std::ceil(marginMm / labels.geometry.spacing[axis])) + 1;
+    const auto a = static_cast<std::size_t>(axis);
+    int from = first[axis] - margin;
+    int end = last[axis] + margin + 1;
+    if (axis == 2) {
+      from = std::max(from, 0);
+      end = std::min(end, depth);
+    }
+    box.low[axis] = from;
+    box.size[a] = end - from;
+  }
+  return box;
+}
+
+}  // namespace pneuma

@@ -1,0 +1,171 @@
+#include "segmentation/lung_closing.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "anatomy/lobe.h"
+#include "core/parallel.h"
+#include "core/units.h"
+#include "segmentation/closing.h"
+#include "segmentation/inner_air.h"
+
+namespace pneuma {
+namespace {
+
+constexpr auto Airway = static_cast<std::uint8_t>(Lobe::Central);
+
+// Balls of the repair of dense parts; the larger one tells whether it matters.
+constexpr double SoftRepairMm = 20.0;
+constexpr double StrongRepairMm = 30.0;
+constexpr double CoarseMm = 2.5;  ///< voxels in plane, where only a share is asked for
+
+double ballMm(const LungOptions& options) {
+  switch (options.repair) {
+    case DenseRepair::Soft:
+      return std::max(SoftRepairMm, options.closingMm);
+    case DenseRepair::Strong:
+      return std::max(StrongRepairMm, options.closingMm);
+    default:
+      return options.closingMm;
+  }
+}
+
+/// The voxels of a box that carry a label, one byte each.
+std::vector<std::uint8_t> maskOf(const LabelImage& labels, std::uint8_t label,
+                                 const VoxelBox& box) {
+  std::vector<std::uint8_t> mask(box.voxelCount(), 0);
+  parallelFor(static_cast<std::size_t>(box.size[2]), [&](std::size_t k) {
+    forEachRow(box, labels.geometry, static_cast<int>(k),
+               [&](std::size_t at, std::size_t v, std::size_t count) {
+                 for (std::size_t i = 0; i < count; ++i) {
+                   mask[at + i] = labels.voxels[v + i] == label ? 1 : 0;
+                 }
+               });
+  });
+  return mask;
+}
+
+/// What closing by the ball of the strong repair would add to a lung, as a share of it.
+double denseShare(const LabelImage& labels, std::uint8_t label) {
+  const VoxelBox box = boxOf(labels, label, StrongRepairMm);
+  if (box.voxelCount() == 0) return 0.0;
+  const Vec3& spacing = labels.geometry.spacing;
+  const int step = std::max(1, static_cast<int>(std::lround(CoarseMm / spacing.x())));
+  const std::array<int, 3> size = {(box.size[0] + step - 1) / step, (box.size[1] + step - 1) / step,
+                                   box.size[2]};
+  const auto& [width, height, depth] = labels.geometry.size;
+
+  enum : std::uint8_t { Elsewhere, Lung, Other };
+
+  std::vector<std::uint8_t> there;
+  for (int k = 0; k < size[2]; ++k) {
+    for (int j = box.low.y(); j < box.low.y() + box.size[1]; j += step) {
+      for (int i = box.low.x(); i < box.low.x() + box.size[0]; i += step) {
+        const bool inside = i >= 0 && j >= 0 && i < width && j < height;
+        const int value = inside ? labels.at(i, j, box.low.z() + k) : 0;
+        there.push_back(value == label ? Lung : inside && value == 0 ? Elsewhere : Other);
+      }
+    }
+  }
+  std::vector<std::uint8_t> closed(there.size());
+  std::transform(there.begin(), there.end(), closed.begin(),
+                 [](std::uint8_t v) { return v == Lung ? std::uint8_t{1} : std::uint8_t{0}; });
+  closeByBall(closed, size, spacing.cwiseProduct(Vec3(step, step, 1.0)), StrongRepairMm);
+  double before = 0.0;
+  double added = 0.0;
+  for (std::size_t v = 0; v < there.size(); ++v) {
+    if (there[v] == Lung) before += 1.0;
+    if (there[v] == Elsewhere && closed[v] != 0) added += 1.0;
+  }
+  return before > 0.0 ? added / before : 0.0;
+}
+
+/// The lung's surface that lies at the border of the slices or of what the scanner saw, mm^2.
+double borderMm2(const CtImage& ct, const LabelImage& labels, std::uint8_t label,
+                 const VoxelBox& box) {
+  const auto& [width, height, depth] = labels.geometry.size;
+  const Vec3& spacing = labels.geometry.spacing;
+  const double sideMm2 = spacing.y() * spacing.z();
+  const double backMm2 = spacing.x() * spacing.z();
+  const auto beyond = [&](int i, int j, int k) {
+    return i < 0 || j < 0 || i >= width || j >= height || ct.at(i, j, k) < PaddingBelowHu;
+  };
+  std::vector<double> ofSlice(static_cast<std::size_t>(box.size[2]), 0.0);
+  parallelFor(ofSlice.size(), [&](std::size_t n) {
+    const int k = box.low.z() + static_cast<int>(n);
+    for (int j = std::max(box.low.y(), 0); j < std::min(height, box.low.y() + box.size[1]); ++j) {
+      for (int i = std::max(box.low.x(), 0); i < std::min(width, box.low.x() + box.size[0]); ++i) {
+        if (labels.at(i, j, k) != label) continue;
+        ofSlice[n] += (beyond(i - 1, j, k) ? sideMm2 : 0.0) +
+                      (beyond(i + 1, j, k) ? sideMm2 : 0.0) +
+                      (beyond(i, j - 1, k) ? backMm2 : 0.0) + (beyond(i, j + 1, k) ? backMm2 : 0.0);
+      }
+    }
+  });
+  double sum = 0.0;
+  for (const double area : ofSlice) sum += area;
+  return sum;
+}
+
+/// The lung's section in the first or last slice, mm^2.
+double sectionMm2(const LabelImage& labels, std::uint8_t label, int slice) {
+  const std::size_t count = labels.geometry.sliceCount();
+  const auto first =
+      labels.voxels.begin() + static_cast<std::ptrdiff_t>(count * static_cast<std::size_t>(slice));
+  return static_cast<double>(std::count(first, first + static_cast<std::ptrdiff_t>(count), label)) *
+         labels.geometry.spacing.x() * labels.geometry.spacing.y();
+}
+
+}  // namespace
+
+LungFinding closeLung(const CtImage& ct, std::uint8_t label, const LungOptions& options,
+                      LabelImage& labels, const Progress& progress) {
+  LungFinding finding;
+  const ImageGeometry& geometry = labels.geometry;
+  const double radius = ballMm(options);
+  const VoxelBox box = boxOf(labels, label, radius);
+  if (box.voxelCount() == 0) return finding;
+  const double voxelMl = millilitres(geometry.voxelMm3());
+  std::vector<std::uint8_t> mask = maskOf(labels, label, box);
+  finding.airMl =
+      static_cast<double>(std::count(mask.begin(), mask.end(), std::uint8_t{1})) * voxelMl;
+  closeByBall(mask, box.size, geometry.spacing, radius);
+  progress.report(0.6);
+  fillHoles(mask, box.size);
+
+  // What is another's stays so; then what no longer hangs together goes.
+  std::size_t airways = 0;
+  forEachRow(box, geometry, [&](std::size_t at, std::size_t v, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::uint8_t there = labels.voxels[v + i];
+      if (there == 0 || there == label) continue;
+      if (there == Airway && mask[at + i] != 0) ++airways;
+      mask[at + i] = 0;
+    }
+  });
+  const std::size_t voxels = keepLargest(mask, box.size);
+  progress.report(0.8);
+  double sum = 0.0;
+  forEachRow(box, geometry, [&](std::size_t at, std::size_t v, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) {
+      if (mask[at + i] != 0) {
+        labels.voxels[v + i] = label;
+        sum += ct.voxels[v + i];
+      } else if (labels.voxels[v + i] == label) {
+        labels.voxels[v + i] = 0;
+      }
+    }
+  });
+  mask = {};
+  finding.volumeMl = static_cast<double>(voxels) * voxelMl;
+  finding.volumeWithAirwaysMl = finding.volumeMl + static_cast<double>(airways) * voxelMl;
+  finding.meanHu = voxels > 0 ? sum / static_cast<double>(voxels) : 0.0;
+  finding.borderMm2 = borderMm2(ct, labels, label, box);
+  finding.lowestSliceMm2 = sectionMm2(labels, label, 0);
+  finding.highestSliceMm2 = sectionMm2(labels, label, geometry.size[2] - 1);
+  finding.denseShare = denseShare(labels, label);
+  progress.report(1.0);
+  return finding;
+}
+
+}  // namespace pneuma

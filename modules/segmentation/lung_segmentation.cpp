@@ -1,0 +1,72 @@
+#include "segmentation/lung_segmentation.h"
+
+#include <utility>
+
+#include "anatomy/lobe.h"
+#include "segmentation/airway_centreline.h"
+#include "segmentation/airway_segmentation.h"
+#include "segmentation/gas_pockets.h"
+#include "segmentation/inner_air.h"
+#include "segmentation/lung_air.h"
+#include "segmentation/lung_closing.h"
+#include "segmentation/segmentation_checks.h"
+
+namespace pneuma {
+namespace {
+
+constexpr auto Right = static_cast<std::uint8_t>(Lobe::RightLung);
+constexpr auto Left = static_cast<std::uint8_t>(Lobe::LeftLung);
+constexpr auto Airway = static_cast<std::uint8_t>(Lobe::Central);
+
+AirwayFinding findingOf(const AirwayMask& mask) {
+  return {mask.found(),     mask.tracheaLengthMm, mask.baseThresholdHu, mask.volumeMl,
+          mask.leaksUndone, mask.wallsMissed,     mask.largestStepMl};
+}
+
+LungSegmentation segmentUpright(const CtImage& ct, const LungOptions& options,
+                                const Progress& progress) {
+  LungSegmentation result;
+  LabelImage& labels = result.labels;
+  labels.geometry = ct.geometry;
+  labels.voxels.assign(ct.voxels.size(), 0);
+  progress.part(0.0, 0.1, "finding air").report(0.0);
+  AirwayMask airways;
+  {
+    const InnerAir air = findInnerAir(ct, options.thresholdHu);
+    airways = segmentAirways(ct, air, {.wallContrastHu = options.wallContrastHu}, labels.voxels,
+                             progress.part(0.1, 0.3, "following airways"));
+    const LungAir lungs =
+        findLungAir(ct, air, airways, labels, progress.part(0.3, 0.5, "telling the lungs apart"));
+    result.separated = lungs.separated;
+    result.bridgeMm = lungs.bridgeMm;
+  }
+  if (options.gas == GasPockets::Remove) {
+    result.gasRemovedMl =
+        removeGasPockets(ct, labels, progress.part(0.5, 0.55, "looking for gas of the stomach"));
+  }
+  for (const std::uint32_t v : airways.voxels) labels.voxels[v] = Airway;
+  result.airways = findingOf(airways);
+  result.central =
+      airwayCentreline(ct.geometry, airways, progress.part(0.55, 0.6, "drawing the centreline"));
+  result.names = nameBronchi(result.central);
+  airways = {};
+  result.right = closeLung(ct, Right, options, labels, progress.part(0.6, 0.8, "closing"));
+  result.left = closeLung(ct, Left, options, labels, progress.part(0.8, 1.0, "closing"));
+  return result;
+}
+
+}  // namespace
+
+LungSegmentation segmentLungs(const CtImage& ct, const LungOptions& options,
+                              const Progress& progress) {
+  requireValid(options);
+  const AxisOrder order = patientAxes(ct.geometry);
+  LungSegmentation result = order.isIdentity()
+                                ? segmentUpright(ct, options, progress)
+                                : segmentUpright(turned(ct, order), options, progress);
+  if (!order.isIdentity()) result.labels = turned(result.labels, inverse(order));
+  result.checks = segmentationChecks(result);
+  return result;
+}
+
+}  // namespace pneuma
