@@ -138,6 +138,23 @@ TEST(WriteFile, SaysThatTheDiskIsFullOrReadOnlyAndLeavesNothing) {
   EXPECT_THAT(readOnly, HasSubstr("read-only"));
 }
 
+TEST(AtomicFile, IsThereOnceItIsWhole) {
+  const TempFolder folder;
+  {
+    AtomicFile file(folder / "file");
+    file.write("size: 0, ");
+    file.write("voxels");
+    file.overwrite(6, "6");
+    file.write(" and more");
+    EXPECT_FALSE(fs::exists(folder / "file"));
+    file.commit();
+    EXPECT_EQ(readFile(folder / "file"), "size: 6, voxels and more");
+    AtomicFile given(folder / "up");
+    given.write("half");
+  }
+  EXPECT_EQ(folder.fileCount(), 1U);
+}
+
 TEST(RequireWritable, LeavesNothing) {
   const TempFolder folder;
   requireWritable(folder / "file");
