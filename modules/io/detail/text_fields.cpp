@@ -32,6 +32,8 @@ std::string quoted(const std::filesystem::path& path) {
   return text += '"';
 }
 
+std::string quotedName(std::string_view name) { return quoted(std::filesystem::path(name)); }
+
 void appendNumber(std::string& text, double value) { appendAny(text, value); }
 
 void appendNumber(std::string& text, std::int64_t value) { appendAny(text, value); }

@@ -13,6 +13,9 @@ namespace pneuma {
 /// The path in quotation marks, as messages name it.
 std::string quoted(const std::filesystem::path& path);
 
+/// A name in the same quotation marks.
+std::string quotedName(std::string_view name);
+
 /// The shortest text that reads back as the same number.
 void appendNumber(std::string& text, double value);
 void appendNumber(std::string& text, std::int64_t value);

@@ -1,0 +1,163 @@
+#include "io/ct_file.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/error.h"
+#include "core/parallel.h"
+#include "io/detail/text_fields.h"
+
+namespace pneuma {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t Values = 65536;  // of a voxel
+constexpr int Lowest = std::numeric_limits<std::int16_t>::min();
+
+std::string hundredths(double value) { return numberText(std::round(value * 100.0) / 100.0); }
+
+void addFindings(CtFile& file, const DicomSeries& series, const CtCorrections& corrections) {
+  const SeriesCheck& check = series.check;
+  file.notes.insert(file.notes.end(), series.notes.begin(), series.notes.end());
+  if (!check.gaps.empty()) {
+    file.warnings.push_back(gapsText(series) + "; interpolated from their neighbours");
+  }
+  if (!check.duplicates.empty()) {
+    file.notes.push_back(std::to_string(check.duplicates.size()) +
+                         (check.duplicates.size() == 1 ? " slice was" : " slices were") +
+                         " there twice with the same pixels; one of each was taken");
+  }
+  if (check.uneven()) {
+    file.notes.push_back(
+        "slices are unevenly spaced: steps differ from " + hundredths(check.spacingMm) +
+        " mm by up to " + hundredths(check.unevenMm) + " mm" +
+        (corrections.resampleMm > 0.0 ? "; resampled from where they stand"
+                                      : "; resample to put them right (--resample)"));
+  }
+  if (series.compression.find("Lossless") == std::string::npos &&
+      series.compression.starts_with("JPEG")) {
+    file.notes.push_back("the pixels are compressed with loss (" + series.compression + ")");
+  }
+}
+
+void addTilt(CtFile& file, const CtCorrections& corrections) {
+  if (file.tiltDeg <= 0.1) return;
+  const std::string tilt = "the gantry was tilted by " + hundredths(file.tiltDeg) + " deg";
+  if (corrections.fixTilt) {
+    file.notes.push_back(tilt + "; undone");
+  } else {
+    file.warnings.push_back(tilt +
+                            "; slices are kept where they lie, on skew axes; undo it to have "
+                            "them straight over each other (--fix-tilt)");
+  }
+}
+
+void requireHu(const CtFile& file, const fs::path& path) {
+  if (file.hu.plausible()) return;
+  if (file.hu.paddingShare >= 1.0) {
+    throw InvalidInput(quoted(path) + " holds nothing but padding");
+  }
+  throw Unsupported(
+      quoted(path) + " does not look like a chest CT in HU: 99 % of its values lie at " +
+      numberText(file.hu.percentile1) + " or above (lowest " + std::to_string(file.hu.lowest) +
+      "), but a chest holds air, below -500; check that the series is the right one "
+      "and its rescale slope and intercept are there");
+}
+
+CtFile readDicom(const fs::path& path, const CtCorrections& corrections, const Progress& progress,
+                 const SeriesChoice& choice) {
+  std::vector<DicomSeries> all = listDicomSeries(path, progress.part(0.0, 0.1, "reading headers"));
+  const DicomSeries& series = chosenSeries(all, choice);
+  CtFile file;
+  file.format = "DICOM";
+  file.image = readDicomSeries(series, corrections, progress.part(0.1, 0.95, "reading slices"));
+  file.tiltDeg = series.check.tiltDeg;
+  addFindings(file, series, corrections);
+  const auto chosen = all.begin() + (&series - all.data());
+  file.series = std::move(*chosen);
+  all.erase(chosen);
+  file.others = std::move(all);
+  return file;
+}
+
+}  // namespace
+
+HuCheck huCheck(const CtImage& image) {
+  // Counted by slabs; whole numbers add up to the same in any order.
+  const auto slices = static_cast<std::size_t>(image.geometry.size[2]);
+  const std::size_t slabs = std::min<std::size_t>(slices, 8);
+  const std::size_t size = image.geometry.sliceCount();
+  std::vector<std::vector<std::uint64_t>> counts(slabs, std::vector<std::uint64_t>(Values));
+  parallelFor(slabs, [&](std::size_t s) {
+    const std::size_t end = size * (slices * (s + 1) / slabs);
+    for (std::size_t i = size * (slices * s / slabs); i < end; ++i) {
+      ++counts[s][static_cast<std::size_t>(image.voxels[i] - Lowest)];
+    }
+  });
+  std::vector<std::uint64_t>& all = counts.front();
+  for (std::size_t s = 1; s < slabs; ++s) {
+    for (std::size_t v = 0; v < Values; ++v) all[v] += counts[s][v];
+  }
+  const auto padding = static_cast<std::size_t>(PaddingHu - Lowest);
+  HuCheck check;
+  check.paddingShare = static_cast<double>(all[padding]) / static_cast<double>(image.voxels.size());
+  all[padding] = 0;
+  std::uint64_t measured = 0;
+  for (const std::uint64_t n : all) measured += n;
+  if (measured == 0) return check;
+  const std::uint64_t hundredth = measured / 100;
+  std::uint64_t below = 0;
+  bool found = false;
+  bool first = true;
+  for (std::size_t v = 0; v < Values; ++v) {
+    if (all[v] == 0) continue;
+    const int hu = static_cast<int>(v) + Lowest;
+    if (first) check.lowest = hu;
+    first = false;
+    check.highest = hu;
+    below += all[v];
+    if (!found && below > hundredth) {
+      check.percentile1 = hu;
+      found = true;
+    }
+  }
+  return check;
+}
+
+bool isCtPath(const fs::path& path) { return isDicomPath(path); }
+
+const DicomSeries& chosenSeries(const std::vector<DicomSeries>& all, const SeriesChoice& choice) {
+  if (choice.wanted.empty()) {
+    if (all.front().refusal && all.size() > 1) {
+      throw Error(all.front().refusal->code,
+                  "none of the " + std::to_string(all.size()) +
+                      " series there can be read; the first: " + all.front().refusal->sentence);
+    }
+    return all.front();
+  }
+  const auto byUid = std::ranges::find(all, choice.wanted, &DicomSeries::uid);
+  if (byUid != all.end()) return *byUid;
+  const std::optional<std::int64_t> place = parseInteger(choice.wanted);
+  if (place && *place >= 1 && *place <= static_cast<std::int64_t>(all.size())) {
+    return all[static_cast<std::size_t>(*place - 1)];
+  }
+  throw InvalidOption("there is no series '" + choice.wanted + "'; " + std::to_string(all.size()) +
+                      (all.size() == 1 ? " is" : " are") +
+                      " there, to be chosen by place in the list of 'pneuma info' or by UID");
+}
+
+CtFile readCt(const fs::path& path, const CtCorrections& corrections, const Progress& progress,
+              const SeriesChoice& choice) {
+  requireValid(corrections);
+  CtFile file = readDicom(path, corrections, progress, choice);
+  addTilt(file, corrections);
+  file.memoryBytes = file.image.voxels.size() * sizeof(std::int16_t);
+  file.hu = huCheck(file.image);
+  requireHu(file, path);
+  progress.report(1.0);
+  return file;
+}
+
+}  // namespace pneuma

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/image.h"
+#include "core/progress.h"
+#include "io/ct_corrections.h"
+#include "io/dicom_series.h"
+
+namespace pneuma {
+
+/// Whether the numbers of an image can be Hounsfield units of a chest.
+struct HuCheck {
+  double percentile1 = 0.0;  ///< below it lies 1 % of what was measured
+  int lowest = 0;            ///< of what was measured
+  int highest = 0;
+  double paddingShare = 0.0;  ///< of all voxels
+
+  /// A chest holds air: the lowest hundredth lies far below water.
+  bool plausible() const { return percentile1 <= -500.0; }
+};
+
+/// @param image of at least one voxel
+HuCheck huCheck(const CtImage& image);
+
+/// A CT of any format, and what was found while reading it.
+struct CtFile {
+  CtImage image;
+  std::string format;    ///< "DICOM", "NIfTI", "NRRD", "MetaImage"
+  double tiltDeg = 0.0;  ///< before it was undone
+  HuCheck hu;
+  std::uint64_t memoryBytes = 0;
+  std::optional<DicomSeries> series;  ///< where it came from DICOM, with its identifiers
+  std::vector<DicomSeries> others;    ///< series that were there besides, best first
+  std::vector<std::string> notes;     ///< said in passing
+  std::vector<std::string> warnings;  ///< may make a result wrong
+};
+
+/// True if a CT may be there: a volume file, a DICOM file, a zip archive, a folder with DICOM.
+bool isCtPath(const std::filesystem::path& path);
+
+/// Which series of several; the best one unless said otherwise.
+struct SeriesChoice {
+  std::string wanted;  ///< place in the list from 1 ("2"), or SeriesInstanceUID; "": the best
+};
+
+/// The series of a list that is wanted.
+/// @throws InvalidOption if there is no such one; the refusal of the best if none can be read
+const DicomSeries& chosenSeries(const std::vector<DicomSeries>& all, const SeriesChoice& choice);
+
+/// Reads a CT.
+/// @throws InputMissing, InvalidInput (gaps, damage: see readDicomSeries), Unsupported (no CT, not
+/// in HU), Error (OutOfMemory), Cancelled
+CtFile readCt(const std::filesystem::path& path, const CtCorrections& corrections = {},
+              const Progress& progress = {}, const SeriesChoice& choice = {});
+
+}  // namespace pneuma

@@ -1,0 +1,204 @@
+#include "io/detail/unzipped.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <fstream>
+
+#include <archive.h>
+#include <archive_entry.h>
+
+#include "core/error.h"
+#include "io/detail/text_fields.h"
+
+namespace pneuma {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uint64_t MostFiles = 200000;
+// CT slices shrink to a half or a third, empty ones to a hundredth; a bomb to a thousandth.
+constexpr std::uint64_t MostSwelling = 200;
+constexpr std::uint64_t FreeSwelling = std::uint64_t{64} << 20;
+constexpr std::size_t BlockSize = std::size_t{1} << 18;
+
+struct CloseArchive {
+  void operator()(archive* handle) const { archive_read_free(handle); }
+};
+
+using Archive = std::unique_ptr<archive, CloseArchive>;
+
+[[noreturn]] void throwDamaged(const fs::path& path, archive* handle, const std::string& name) {
+  const char* reason = archive_error_string(handle);
+  const std::string text = reason == nullptr ? "" : reason;
+  const std::string where = "the archive " + quoted(path);
+  if (lowerCase(text).find("encrypt") != std::string::npos ||
+      lowerCase(text).find("passphrase") != std::string::npos) {
+    throw Unsupported(where + " is protected by a password; unpack it first");
+  }
+  throw InvalidInput(where + " is damaged" + (name.empty() ? "" : " at " + quotedName(name)) +
+                     (text.empty() ? "" : " (" + text + ")") + "; copy it again from its source");
+}
+
+Archive opened(const fs::path& path) {
+  if (!std::ifstream(path, std::ios::binary)) {
+    throw InputMissing("the archive " + quoted(path) + " cannot be read; check its permissions");
+  }
+  Archive handle(archive_read_new());
+  if (!handle) throw std::bad_alloc();
+  archive_read_support_format_zip_seekable(handle.get());
+  if (archive_read_open_filename(handle.get(), path.c_str(), BlockSize) != ARCHIVE_OK) {
+    throwDamaged(path, handle.get(), "");
+  }
+  return handle;
+}
+
+/// The next entry, nullptr at the end.
+archive_entry* nextEntry(const fs::path& path, archive* handle) {
+  archive_entry* entry = nullptr;
+  const int result = archive_read_next_header(handle, &entry);
+  if (result == ARCHIVE_EOF) return nullptr;
+  if (result != ARCHIVE_OK && result != ARCHIVE_WARN) throwDamaged(path, handle, "");
+  return entry;
+}
+
+std::string nameOf(archive_entry* entry, std::size_t number) {
+  const char* name = archive_entry_pathname_utf8(entry);
+  if (name == nullptr) name = archive_entry_pathname(entry);
+  return name == nullptr ? "entry " + std::to_string(number) : name;
+}
+
+bool isFile(archive_entry* entry) {
+  return archive_entry_filetype(entry) == AE_IFREG && archive_entry_hardlink(entry) == nullptr;
+}
+
+bool leadsOut(const std::string& name) {
+  if (name.starts_with('/') || name.starts_with('\\') || (name.size() > 1 && name[1] == ':')) {
+    return true;
+  }
+  std::string forward = name;
+  std::ranges::replace(forward, '\\', '/');
+  return std::ranges::any_of(fs::path(forward), [](const fs::path& part) { return part == ".."; });
+}
+
+/// Refuses what should not be unpacked, before a byte is.
+void requireHarmless(const fs::path& path, const Progress& progress) {
+  const Archive handle = opened(path);
+  std::uint64_t total = 0;
+  std::size_t count = 0;
+  while (archive_entry* entry = nextEntry(path, handle.get())) {
+    progress.throwIfStopped();
+    const std::string name = nameOf(entry, ++count);
+    if (leadsOut(name)) {
+      throw InvalidInput("the archive " + quoted(path) + " names " + quotedName(name) +
+                         ", a place outside of it; it was not unpacked");
+    }
+    if (archive_entry_is_encrypted(entry) != 0) {
+      throw Unsupported("the archive " + quoted(path) +
+                        " is protected by a password; unpack it first");
+    }
+    if (isFile(entry))
+      total += static_cast<std::uint64_t>(std::max<la_int64_t>(0, archive_entry_size(entry)));
+    if (count > MostFiles) {
+      throw InvalidInput("the archive " + quoted(path) + " holds more than " +
+                         std::to_string(MostFiles) + " entries; unpack it first");
+    }
+  }
+  const std::uint64_t packed = fs::file_size(path);
+  if (total > FreeSwelling + MostSwelling * packed) {
+    throw InvalidInput("the archive " + quoted(path) + " of " + std::to_string(packed >> 20) +
+                       " MB would swell to " + std::to_string(total >> 20) +
+                       " MB, which no CT does; it was not unpacked");
+  }
+  std::error_code error;
+  const fs::space_info space = fs::space(fs::temp_directory_path(), error);
+  if (!error && total > space.available) {
+    throw OutputFailed("unpacking " + quoted(path) + " takes " + std::to_string(total >> 20) +
+                       " MB in the temporary folder, where " +
+                       std::to_string(space.available >> 20) + " MB are free; unpack it elsewhere");
+  }
+}
+
+/// A new folder that only this user may enter; goes away with this.
+class PrivateFolder {
+ public:
+  PrivateFolder() {
+    std::string name = (fs::temp_directory_path() / "pneuma-XXXXXX").string();
+    if (::mkdtemp(name.data()) == nullptr) {  // mode 0700
+      throw OutputFailed("no folder can be made in " + quoted(fs::temp_directory_path()) +
+                         " to unpack into; is the disk full?");
+    }
+    path_ = name;
+  }
+
+  ~PrivateFolder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+
+  PrivateFolder(const PrivateFolder&) = delete;
+  PrivateFolder& operator=(const PrivateFolder&) = delete;
+
+  const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+void unpackEntry(const fs::path& path, archive* handle, archive_entry* entry,
+                 const std::string& name, const fs::path& target, const Progress& progress) {
+  std::ofstream file(target, std::ios::binary);
+  std::array<char, BlockSize / 4> block{};
+  std::uint64_t written = 0;
+  const auto stated =
+      static_cast<std::uint64_t>(std::max<la_int64_t>(0, archive_entry_size(entry)));
+  while (true) {
+    const la_ssize_t size = archive_read_data(handle, block.data(), block.size());
+    if (size < 0) throwDamaged(path, handle, name);
+    if (size == 0) break;
+    progress.throwIfStopped();
+    written += static_cast<std::uint64_t>(size);
+    if (written > stated) {
+      throw InvalidInput("the archive " + quoted(path) + " states " + std::to_string(stated) +
+                         " bytes for " + quotedName(name) + " but holds more; it is damaged");
+    }
+    file.write(block.data(), size);
+  }
+  if (!file.flush()) {
+    throw OutputFailed("the temporary folder cannot hold " + quotedName(name) +
+                       "; is the disk full?");
+  }
+}
+
+}  // namespace
+
+bool isZipFile(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::array<char, 4> start{};
+  file.read(start.data(), start.size());
+  const std::string_view magic(start.data(), start.size());
+  using namespace std::string_view_literals;
+  return file && (magic == "PK\3\4"sv || magic == "PK\5\6"sv);
+}
+
+Unzipped unzipped(const fs::path& archive, const Progress& progress) {
+  requireHarmless(archive, progress);
+  const auto folder = std::make_shared<const PrivateFolder>();
+  Unzipped result;
+  result.folder = folder;
+  const Archive handle = opened(archive);
+  std::size_t count = 0;
+  while (archive_entry* entry = nextEntry(archive, handle.get())) {
+    const std::string name = nameOf(entry, ++count);
+    if (!isFile(entry)) continue;
+    // Names of our own: those of the archive may clash, or mean something to the file system.
+    const fs::path target =
+        folder->path() / (std::to_string(count) + fs::path(name).extension().string());
+    unpackEntry(archive, handle.get(), entry, name, target, progress);
+    result.files.push_back({target, fs::path(name).filename().string()});
+  }
+  std::ranges::sort(result.files, {}, &Unzipped::File::name);
+  return result;
+}
+
+}  // namespace pneuma
