@@ -118,6 +118,18 @@ SampleCt sampleCt(const SampleChest& chest, const SampleCtOptions& options,
   return result;
 }
 
+SampleChest mirrored(SampleChest chest) {
+  for (LobeSurface& lobe : chest.lobes) {
+    TriangleMesh mesh = *lobe.mesh;
+    for (Vec3& p : mesh.points) p.x() = -p.x();
+    for (auto& [a, b, c] : mesh.triangles) std::swap(b, c);  // outward again
+    lobe.mesh = std::make_shared<const TriangleMesh>(std::move(mesh));
+  }
+  for (SampleFissure& fissure : chest.fissures) fissure.sideMm = -fissure.sideMm;
+  chest.central = mirrored(chest.central);
+  return chest;
+}
+
 SampleCt sampleCt(const SampleCtOptions& options, const Progress& progress) {
   return sampleCt(sampleChest(2.0, progress.part(0.0, 0.2, "making a chest")), options,
                   progress.part(0.2, 1.0, "making a CT"));

@@ -39,11 +39,11 @@ struct SampleCtOptions {
               "So deep from front to back only a sheet of 0.3 mm parts the lungs in front of the "
               "aorta, up to 7 mm of it behind the oesophagus too."},
         Field{"collapsed", &O::collapsed, "", Range{0, 1},
-              "1: the lower part of the left lung holds no air."},
+              "The lower part of the left lung holds no air."},
         Field{"stomach-gas", &O::stomachGas, "", Range{0, 1},
-              "1: the stomach's gas lies 1 mm below the left lung."},
+              "The stomach's gas lies 1 mm below the left lung."},
         Field{"mirror", &O::mirror, "", Range{0, 1},
-              "1: left and right are swapped, as if the header were wrong."},
+              "Left and right are swapped, as if the header were wrong."},
         Field{"seed", &O::seed, "", Range{0, 9007199254740991.0},
               "Seed of everything random: same seed, same bytes."},
     };
@@ -73,6 +73,10 @@ SampleCt sampleCt(const SampleChest& chest, const SampleCtOptions& options,
 
 /// The same of sampleChest().
 SampleCt sampleCt(const SampleCtOptions& options, const Progress& progress = {});
+
+/// The chest seen in a mirror, left for right: surfaces, fissures and airways. Names and `truth`
+/// stay those of the chest.
+SampleChest mirrored(SampleChest chest);
 
 /// Voxels with the label, ml.
 double labelMl(const LabelImage& labels, Lobe label);

@@ -55,6 +55,12 @@ refuses "CSV and JSON" 2 "csv.*json" measure t.vtp --csv --json
 refuses "domain and organ" 2 "not both" measure t.vtp --domain ball.obj --organ right-lung
 refuses "a lattice out of range" 2 "cell.*\[0.5, 6\] mm.*500" sample chest --cell 500
 refuses "a lattice in a wrong unit" 2 "cell.*mm.*'2kg'" sample chest --cell 2kg
+refuses "a tilt without a CT" 2 "--tilt is about the CT.*--ct" sample chest --tilt 10
+refuses "a mirror without a CT" 2 "--mirror is about the CT.*--ct" sample chest --mirror
+refuses "a tilt out of range" 2 "tilt.*\[-30, 30\] deg.*45" sample chest --ct --tilt 45
+refuses "half a gap" 2 "gaps.*\[0, 20\].*1.5" sample chest --ct --gaps 1.5
+refuses "slices of no thickness" 2 "thick.*\[0.4, 10\] mm.*0" sample chest --ct --thick 0
+refuses "noise that is no number" 2 "noise.*number.*'loud'" sample chest --ct --noise loud
 
 grow=(grow ball.obj --method centroid -o t.vtp)
 refuses "a ratio out of range" 2 "ratio.*\[0.05, 1\].*7" "${grow[@]}" --set ratio=7

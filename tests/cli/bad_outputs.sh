@@ -30,6 +30,13 @@ refuses "pictures into a file" 6 "file" reproduce huang-2004 --pictures file
 mkdir chest
 : >chest/lll.stl
 refuses "a sample onto a file" 6 "lll.stl.*exists" sample chest
+coarse=(--ct --cell 6 --spacing 5 --thick 10)
+mkdir -p scan/dicom there
+: >scan/dicom/other.dcm
+: >there/dicom
+refuses "a series onto slices" 6 "other.dcm.*exists.*--force" sample scan "${coarse[@]}"
+refuses "a series beside other slices" 6 "other.dcm.*mix.*remove" sample scan "${coarse[@]}" --force
+refuses "a series into a file" 6 "there/dicom.*folder" sample there "${coarse[@]}"
 [ "$(cat there.vtp)" = old ] || { caseName="old files"; fail "an existing file was touched"; }
 
 # The disk is full while the tree is written: as a limit on the size of files, which every user
@@ -43,6 +50,7 @@ PNEUMA=$limitedProgram
 refuses "a file larger than allowed" 6 "tree.vtp" "${bigGrowth[@]}" -o tree.vtp
 refuses "a report larger than allowed leaves no tree" 6 "tree.vtp|r.json" "${bigGrowth[@]}" -o tree.vtp --report r.json
 refuses "a sample larger than allowed" 6 "lobes" sample lobes --cell 4mm
+refuses "a CT larger than allowed" 6 "scanned" sample scanned --ct --cell 6 --spacing 5 --thick 10
 PNEUMA=$PNEUMA_BINARY
 mkdir small
 if mount -t tmpfs -o size=64k none small 2>/dev/null; then

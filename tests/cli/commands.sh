@@ -28,6 +28,18 @@ prints 'ok +self-test: [0-9,]+ terminals grown in .* 0 outside'
 succeeds "sample" sample chest --cell 4mm
 expect "the truth does not tell of three fissures" test "$(grep -c side_bend_per_mm chest/truth.json)" -eq 3
 expect "there are not five lobes" test "$(find chest -name '???.stl' | wc -l)" -eq 5
+cp chest/truth.json "$logs/out"
+keeps sample
+succeeds "sample as a CT" sample scan --cell 6mm --ct --spacing 4mm --thick 6mm --tilt 10deg --gaps 2 --seed 3
+prints '^ct.nii.gz, labels.nii.gz, dicom: 103 x 103 x 63 voxels of 4.00 x 4.00 x 6.00 mm, right lung 3[23][0-9]{2}'
+prints '^missing in dicom: 2 slices'
+cp scan/truth.json "$logs/out"
+keeps sample
+expect "there are not 61 slices" test "$(find scan/dicom -name '*.dcm' | wc -l)" -eq 61
+succeeds "the same sample again" sample again --cell 6mm --ct --spacing 4mm --thick 6mm --tilt 10deg --gaps 2 --seed 3 -j 1
+expect "the same seed gives other files" diff -r scan again
+succeeds "a mirrored sample" sample mirror --cell 6mm --ct --spacing 5 --thick 10 --mirror --json
+keeps sample
 succeeds "info of a folder" info chest
 prints 'rul.stl: STL surface, right upper lobe'
 prints 'central.vtp: VTP tree'

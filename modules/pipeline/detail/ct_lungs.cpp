@@ -46,8 +46,12 @@ std::function<double(const Vec3&)> lungLevel(Side side, double touchingMm,
       std::make_shared<const LevelTable>(exact, widened(lung.bounds(), CellMm), CellMm);
   return [=, box = lung.bounds()](const Vec3& p) {
     const double toBox = box.exteriorDistance(p);
-    double level = toBox > 0.0 ? -toBox : (*table)(p);
-    if (std::abs(level) < NearMm && toBox == 0.0) level = exact(p);
+    double level = (*table)(p);  // outside the box that of its nearest point
+    if (toBox > 0.0) {
+      level = std::min(-toBox, level + toBox);
+    } else if (std::abs(level) < NearMm) {
+      level = exact(p);
+    }
     if (touchingMm > 0.0) level = std::max(level, touchLevel(side, touchingMm, levels->cage(p), p));
     return level;
   };

@@ -1,9 +1,9 @@
 #include "pipeline/detail/ct_scan.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 
+#include "core/joint_progress.h"
 #include "core/parallel.h"
 #include "core/random.h"
 
@@ -260,7 +260,7 @@ ScannedBody scanned(const CtBody& body, const ImageGeometry& geometry, const Sca
   result.image.voxels.resize(geometry.voxelCount());
   result.labels.voxels.resize(geometry.voxelCount());
   const auto slices = static_cast<std::size_t>(geometry.size[2]);
-  std::atomic<std::size_t> done = 0;
+  JointProgress joint(progress, slices);
   parallelFor(slices, [&](std::size_t k) {
     SlicePainter painter(body, geometry, static_cast<int>(k));
     painter.paint();
@@ -283,7 +283,7 @@ ScannedBody scanned(const CtBody& body, const ImageGeometry& geometry, const Sca
         result.image.voxels[first + at] = seen ? static_cast<std::int16_t>(rounded) : PaddingHu;
       }
     }
-    progress.report(static_cast<double>(++done) / static_cast<double>(slices));
+    joint.task(k).report(1.0);
   });
   return result;
 }

@@ -180,7 +180,7 @@ class Trunk {
       constexpr double SheetMm = 1.0;
       constexpr double RadiusMm = 40.0;
       const Vec3 semiAxes = scale * SampleLung::DomeSemiAxes - Vec3::Constant(SheetMm);
-      const Vec3 centre(68.0, -32.0, -122.0);
+      const Vec3 centre(96.0, -22.0, -124.0);  // clear of the heart
       const auto gas = [=](const Vec3& p) {
         return std::min(ellipsoidLevel(p, domeCentre, semiAxes), RadiusMm - (p - centre).norm());
       };
