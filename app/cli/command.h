@@ -35,18 +35,22 @@ std::span<const Command> commands();
 /// @throws InvalidOption if there is no such command (the nearest is suggested)
 const Command& command(std::string_view name);
 
+Run declareAnonymize(CLI::App& app, CommonOptions& common);
 Run declareCompare(CLI::App& app, CommonOptions& common);
 Run declareCompletion(CLI::App& app, CommonOptions& common);
 Run declareDoctor(CLI::App& app, CommonOptions& common);
 Run declareExport(CLI::App& app, CommonOptions& common);
 Run declareGrow(CLI::App& app, CommonOptions& common);
 Run declareHelp(CLI::App& app, CommonOptions& common);
+Run declareImport(CLI::App& app, CommonOptions& common);
 Run declareInfo(CLI::App& app, CommonOptions& common);
 Run declareMeasure(CLI::App& app, CommonOptions& common);
 Run declareRender(CLI::App& app, CommonOptions& common);
 Run declareRepair(CLI::App& app, CommonOptions& common);
 Run declareReproduce(CLI::App& app, CommonOptions& common);
+Run declareRun(CLI::App& app, CommonOptions& common);
 Run declareSample(CLI::App& app, CommonOptions& common);
+Run declareSegment(CLI::App& app, CommonOptions& common);
 Run declareStudy(CLI::App& app, CommonOptions& common);
 Run declareOutline(CLI::App& app, CommonOptions& common);
 Run declareVersion(CLI::App& app, CommonOptions& common);

@@ -7,15 +7,21 @@
 namespace pneuma::cli {
 namespace {
 
-constexpr std::array<Command, 15> Table = {{
+constexpr std::array<Command, 19> Table = {{
+    {"run", "From a CT to lungs, airways and a grown tree, by a recipe.", declareRun},
+    {"segment", "Find lungs and central airways in a CT.", declareSegment},
     {"grow", "Grow a bronchial tree in lobes or in a built-in organ.", declareGrow},
     {"study", "Grow with many seeds: mean and spread of the figures.", declareStudy},
     {"outline", "Aggregate in the outline of a right lung, in a plane (Zhang 2003).",
      declareOutline},
     {"measure", "Measure a tree: orders, ratios, angles, lengths, homogeneity.", declareMeasure},
-    {"compare", "Measure several trees side by side: one table, one picture.", declareCompare},
-    {"info", "Say what surfaces and trees are worth, and what is wrong with them.", declareInfo},
+    {"compare", "Put trees, labels or surfaces side by side: one table, one picture.",
+     declareCompare},
+    {"info", "Say what surfaces, trees and CTs are worth, and what is wrong with them.",
+     declareInfo},
+    {"import", "Read a CT (DICOM, zip, volume) and write it as one volume file.", declareImport},
     {"repair", "Mend a surface and list what was changed.", declareRepair},
+    {"anonymize", "Take names, dates and private data out of DICOM files.", declareAnonymize},
     {"render", "Make a picture of surfaces and trees.", declareRender},
     {"export", "Convert surfaces and trees between formats, frames and units.", declareExport},
     {"sample", "Write a synthetic chest with known truth.", declareSample},

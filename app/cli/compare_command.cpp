@@ -6,6 +6,8 @@
 #include "cli/files.h"
 #include "cli/region_arguments.h"
 #include "cli/text.h"
+#include "pipeline/compare_shapes.h"
+#include "pipeline/report.h"
 
 namespace pneuma::cli {
 namespace {
@@ -15,7 +17,33 @@ struct CompareArguments : RegionArguments {
   bool csv = false;
   std::filesystem::path picture;
   PictureArguments look{.size = {700, 700}};
+  ShapeLimits limits;
 };
+
+/// Two label images or two surfaces.
+ExitCode runShapes(const CompareArguments& arguments, const CommonOptions& common,
+                   const Progress& progress) {
+  if (arguments.csv || !arguments.picture.empty()) {
+    throw InvalidOption(
+        "--csv and --picture are for trees; for labels and surfaces there is --json");
+  }
+  if (!common.output.empty()) requireOutput(common.output, common.existing());
+  const std::vector<InputFile> inputs = {inputFile(arguments.trees[0]),
+                                         inputFile(arguments.trees[1])};
+  const ShapeComparison comparison =
+      compareShapes(arguments.trees[0], arguments.trees[1], arguments.limits, progress);
+  progress.report(1.0);
+  const std::string text = common.json ? jsonText(toJson(comparison, inputs)) : textOf(comparison);
+  if (common.output.empty()) {
+    std::cout << text;
+  } else {
+    writeFile(common.output, text, common.existing());
+  }
+  for (const std::string& failure : comparison.failures) {
+    std::cerr << "pneuma: over its limit: " << failure << "\n";
+  }
+  return comparison.failures.empty() ? ExitCode::Done : ExitCode::ComparisonOverLimit;
+}
 
 void requireUsable(const CompareArguments& arguments, const CommonOptions& common) {
   if (arguments.csv && common.json) throw InvalidOption("compare takes --csv or --json, not both");
@@ -33,6 +61,12 @@ void requireUsable(const CompareArguments& arguments, const CommonOptions& commo
 
 ExitCode runCompare(const CompareArguments& arguments, const CommonOptions& common,
                     const Progress& progress) {
+  if (arguments.trees.size() == 2 && areShapes(arguments.trees[0], arguments.trees[1])) {
+    return runShapes(arguments, common, progress);
+  }
+  if (arguments.limits != ShapeLimits{}) {
+    throw InvalidOption("limits such as --min-dice are for two label images or two surfaces");
+  }
   requireUsable(arguments, common);
   const bool draw = !arguments.picture.empty();
   std::vector<OpenedTree> trees =
@@ -71,10 +105,12 @@ ExitCode runCompare(const CompareArguments& arguments, const CommonOptions& comm
 
 Run declareCompare(CLI::App& app, CommonOptions& common) {
   const auto arguments = std::make_shared<CompareArguments>();
-  addFiles(app, "TREES", arguments->trees, "Two trees or more: VTP, VTU, SWC, CSV or JSON.")
+  addFiles(app, "FILES", arguments->trees,
+           "Two trees or more: VTP, VTU, SWC, CSV or JSON; or two label images; or two surfaces.")
       ->required()
       ->expected(2, CLI::detail::expected_max_vector_size);
   addRegionArguments(app, *arguments);
+  addFields(app, arguments->limits);
   app.add_flag("--csv", arguments->csv, "Print the figures as CSV.");
   addJson(app, common);
   addOutput(app, common, "FILE", "Write the result here instead of standard output.");

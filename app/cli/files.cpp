@@ -7,6 +7,7 @@
 #include "core/error.h"
 #include "io/surface_file.h"
 #include "io/tree_file.h"
+#include "io/volume_file.h"
 
 namespace pneuma::cli {
 namespace {
@@ -30,6 +31,21 @@ std::string lowerExtension(const fs::path& path) {
 
 InputFile inputFile(const fs::path& path) { return {path.string(), sha256(readFile(path))}; }
 
+std::vector<fs::path> modelsIn(const fs::path& folder) {
+  std::error_code error;
+  std::vector<fs::path> inside;
+  for (const auto& entry : fs::directory_iterator(folder, error)) {
+    if (entry.is_regular_file() && (isSurfaceFileName(entry.path()) || isTreeFile(entry.path()))) {
+      inside.push_back(entry.path());
+    }
+  }
+  if (error) {
+    throw InputMissing("the folder '" + folder.string() + "' cannot be read: " + error.message());
+  }
+  std::sort(inside.begin(), inside.end());
+  return inside;
+}
+
 std::vector<fs::path> expanded(std::span<const fs::path> paths) {
   std::vector<fs::path> files;
   for (const fs::path& path : paths) {
@@ -38,21 +54,11 @@ std::vector<fs::path> expanded(std::span<const fs::path> paths) {
       files.push_back(path);
       continue;
     }
-    std::vector<fs::path> inside;
-    for (const auto& entry : fs::directory_iterator(path, error)) {
-      if (entry.is_regular_file() &&
-          (isSurfaceFileName(entry.path()) || isTreeFile(entry.path()))) {
-        inside.push_back(entry.path());
-      }
-    }
-    if (error) {
-      throw InputMissing("the folder '" + path.string() + "' cannot be read: " + error.message());
-    }
+    const std::vector<fs::path> inside = modelsIn(path);
     if (inside.empty()) {
       throw InputMissing("the folder '" + path.string() +
                          "' holds no surface and no tree; name the files themselves");
     }
-    std::sort(inside.begin(), inside.end());
     files.insert(files.end(), inside.begin(), inside.end());
   }
   return files;
@@ -71,6 +77,11 @@ void requireOutput(const fs::path& path, Existing existing) {
                        "' exists already; add --force to replace it, or choose another name");
   }
   requireWritable(path, existing);
+}
+
+void requireVolumeOutput(const fs::path& path, Existing existing) {
+  if (!isVolumeFileName(path)) throwExtension(path, "CTs", ".nii.gz, .nii, .nrrd or .mha");
+  requireOutput(path, existing);
 }
 
 void requireTreeOutput(const fs::path& path, Existing existing) {

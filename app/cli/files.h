@@ -13,6 +13,10 @@ namespace pneuma::cli {
 /// The file's path and hash, for a report. @throws InputMissing
 InputFile inputFile(const std::filesystem::path& path);
 
+/// The surfaces and trees in a folder, in the order of names. @throws InputMissing if it cannot be
+/// read
+std::vector<std::filesystem::path> modelsIn(const std::filesystem::path& folder);
+
 /// Files as they are, folders replaced by the surfaces and trees in them, in the order of names.
 /// @throws InputMissing for a path that is not there or a folder without any
 std::vector<std::filesystem::path> expanded(std::span<const std::filesystem::path> paths);
@@ -23,6 +27,7 @@ std::vector<std::filesystem::path> expanded(std::span<const std::filesystem::pat
 void requireOutput(const std::filesystem::path& path, Existing existing);
 void requireTreeOutput(const std::filesystem::path& path, Existing existing);
 void requireSurfaceOutput(const std::filesystem::path& path, Existing existing);
+void requireVolumeOutput(const std::filesystem::path& path, Existing existing);
 void requirePngOutput(const std::filesystem::path& path, Existing existing);
 
 bool isTreeFileName(const std::filesystem::path& path);

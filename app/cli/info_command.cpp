@@ -7,9 +7,11 @@
 #include "anatomy/validation.h"
 #include "cli/arguments.h"
 #include "cli/command.h"
+#include "cli/ct_report.h"
 #include "cli/files.h"
 #include "cli/mesh_report.h"
 #include "cli/text.h"
+#include "io/ct_file.h"
 #include "io/surface_file.h"
 #include "io/tree_file.h"
 #include "pipeline/report.h"
@@ -114,19 +116,52 @@ FileInfo treeInfo(const std::filesystem::path& path) {
   return info;
 }
 
-ExitCode runInfo(const std::vector<std::filesystem::path>& paths, const CommonOptions& common,
-                 const Progress& progress) {
-  const std::vector<std::filesystem::path> files = expanded(paths);
+/// Missing slices are interpolated here, so that the rest of the card can be told with them.
+FileInfo ctInfo(const std::filesystem::path& path, bool identifiers, std::vector<InputFile>& inputs,
+                const Progress& progress) {
+  const CtFile file = readCt(path, {.fillGaps = true}, progress);
+  inputs.push_back(ctInput(path, file));
+  FileInfo info;
+  info.json = {{"path", path.string()}};
+  info.json.update(ctJson(file, identifiers));
+  info.text = path.string() + ": " + file.format + " CT\n" + ctText(file, identifiers);
+  return info;
+}
+
+/// CTs as they are, folders replaced by the surfaces and trees in them; of a folder that holds
+/// both, both.
+std::vector<std::filesystem::path> opened(const std::vector<std::filesystem::path>& paths) {
+  std::vector<std::filesystem::path> files;
+  for (const std::filesystem::path& path : paths) {
+    std::vector<std::filesystem::path> models;
+    if (!isCtPath(path)) {
+      models = expanded({&path, 1});
+    } else {
+      files.push_back(path);
+      if (std::filesystem::is_directory(path)) models = modelsIn(path);
+    }
+    files.insert(files.end(), models.begin(), models.end());
+  }
+  return files;
+}
+
+ExitCode runInfo(const std::vector<std::filesystem::path>& paths, bool identifiers,
+                 const CommonOptions& common, const Progress& progress) {
+  const std::vector<std::filesystem::path> files = opened(paths);
   std::vector<InputFile> inputs;
   Json infos = Json::array();
   std::string text;
   for (std::size_t i = 0; i < files.size(); ++i) {
     const double from = static_cast<double>(i) / static_cast<double>(files.size());
     const double to = static_cast<double>(i + 1) / static_cast<double>(files.size());
-    inputs.push_back(inputFile(files[i]));
-    const FileInfo info = isTreeFile(files[i])
-                              ? treeInfo(files[i])
-                              : surfaceInfo(files[i], progress.part(from, to, "examining"));
+    FileInfo info;
+    if (isCtPath(files[i])) {
+      info = ctInfo(files[i], identifiers, inputs, progress.part(from, to, "reading"));
+    } else {
+      inputs.push_back(inputFile(files[i]));
+      info = isTreeFile(files[i]) ? treeInfo(files[i])
+                                  : surfaceInfo(files[i], progress.part(from, to, "examining"));
+    }
     infos.push_back(info.json);
     text += (i == 0 ? "" : "\n") + info.text;
   }
@@ -144,9 +179,16 @@ ExitCode runInfo(const std::vector<std::filesystem::path>& paths, const CommonOp
 
 Run declareInfo(CLI::App& app, CommonOptions& common) {
   const auto files = std::make_shared<std::vector<std::filesystem::path>>();
-  addFiles(app, "FILES", *files, "Surfaces, trees, or folders of them.")->required();
+  const auto identifiers = std::make_shared<bool>(false);
+  addFiles(app, "FILES", *files,
+           "Surfaces, trees, CTs (DICOM, zipped DICOM, NIfTI, NRRD, MHA), or folders of them.")
+      ->required();
+  app.add_flag("--phi", *identifiers,
+               "Also print the names of people and places that DICOM holds.");
   addJson(app, common);
-  return [files, &common](const Progress& progress) { return runInfo(*files, common, progress); };
+  return [files, identifiers, &common](const Progress& progress) {
+    return runInfo(*files, *identifiers, common, progress);
+  };
 }
 
 }  // namespace pneuma::cli

@@ -272,19 +272,21 @@ CtImage resampled(const CtImage& image, double sideMm, std::span<const double> s
   std::array<std::size_t, 3> order = {0, 1, 2};
   const auto growth = [&](std::size_t a) { return static_cast<double>(count[a]) / from.size[a]; };
   std::ranges::stable_sort(order, {}, growth);
-  CtImage result = image;
+  CtImage result;
+  bool changed = false;
   for (std::size_t pass = 0; pass < 3; ++pass) {
     const std::size_t a = order[pass];
     const auto axis = static_cast<Eigen::Index>(a);
     const bool asItIs = count[a] == from.size[a] && (a != 2 || slicePositionsMm.empty()) &&
                         std::abs(sideMm - from.spacing[axis]) < 1e-9 * sideMm;
     if (asItIs) continue;
-    result = alongAxis(result, axis, at[a], start[a], sideMm, count[a],
+    result = alongAxis(changed ? result : image, axis, at[a], start[a], sideMm, count[a],
                        progress.part(static_cast<double>(pass) / 3.0,
                                      static_cast<double>(pass + 1) / 3.0, "resampling"));
+    changed = true;
   }
   progress.report(1.0);
-  return result;
+  return changed ? result : image;
 }
 
 }  // namespace pneuma

@@ -34,6 +34,9 @@ struct CtCorrections {
   bool operator==(const CtCorrections&) const = default;
 };
 
+/// A gantry tilted by no more than this stands straight: headers are rounded.
+inline constexpr double LeastTiltDeg = 0.1;
+
 /// Angle between the axis along which slices are stacked and their normal, degrees.
 double tiltDeg(const ImageGeometry& geometry);
 

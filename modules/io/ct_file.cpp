@@ -6,7 +6,9 @@
 
 #include "core/error.h"
 #include "core/parallel.h"
+#include "io/detail/dicom_pixels.h"
 #include "io/detail/text_fields.h"
+#include "io/volume_file.h"
 
 namespace pneuma {
 namespace {
@@ -43,7 +45,7 @@ void addFindings(CtFile& file, const DicomSeries& series, const CtCorrections& c
 }
 
 void addTilt(CtFile& file, const CtCorrections& corrections) {
-  if (file.tiltDeg <= 0.1) return;
+  if (file.tiltDeg <= LeastTiltDeg) return;
   const std::string tilt = "the gantry was tilted by " + hundredths(file.tiltDeg) + " deg";
   if (corrections.fixTilt) {
     file.notes.push_back(tilt + "; undone");
@@ -79,6 +81,32 @@ CtFile readDicom(const fs::path& path, const CtCorrections& corrections, const P
   file.series = std::move(*chosen);
   all.erase(chosen);
   file.others = std::move(all);
+  return file;
+}
+
+CtFile readVolume(const fs::path& path, const CtCorrections& corrections, const Progress& progress,
+                  const SeriesChoice& choice) {
+  if (!choice.wanted.empty()) {
+    throw InvalidOption(quoted(path) + " is one volume; a series can be chosen of DICOM only");
+  }
+  const VolumeHeader header = readVolumeHeader(path);
+  CtFile file;
+  file.format = header.format;
+  file.notes = header.notes;
+  file.tiltDeg = tiltDeg(header.geometry);
+  file.image = readHuVolume(path, progress.part(0.0, 0.7, "reading"));
+  const ImageGeometry& geometry = file.image.geometry;
+  parallelFor(static_cast<std::size_t>(geometry.size[2]), [&](std::size_t k) {
+    markCornerPadding({&file.image.at(0, 0, static_cast<int>(k)), geometry.sliceCount()},
+                      static_cast<std::size_t>(geometry.size[0]));
+  });
+  if (corrections.fixTilt && file.tiltDeg > LeastTiltDeg) {
+    file.image = untilted(file.image, progress.part(0.7, 0.8, "undoing the tilt"));
+  }
+  if (corrections.resampleMm > 0.0) {
+    file.image =
+        resampled(file.image, corrections.resampleMm, {}, progress.part(0.8, 0.95, "resampling"));
+  }
   return file;
 }
 
@@ -126,7 +154,7 @@ HuCheck huCheck(const CtImage& image) {
   return check;
 }
 
-bool isCtPath(const fs::path& path) { return isDicomPath(path); }
+bool isCtPath(const fs::path& path) { return isVolumeFile(path) || isDicomPath(path); }
 
 const DicomSeries& chosenSeries(const std::vector<DicomSeries>& all, const SeriesChoice& choice) {
   if (choice.wanted.empty()) {
@@ -151,7 +179,8 @@ const DicomSeries& chosenSeries(const std::vector<DicomSeries>& all, const Serie
 CtFile readCt(const fs::path& path, const CtCorrections& corrections, const Progress& progress,
               const SeriesChoice& choice) {
   requireValid(corrections);
-  CtFile file = readDicom(path, corrections, progress, choice);
+  CtFile file = isVolumeFile(path) ? readVolume(path, corrections, progress, choice)
+                                   : readDicom(path, corrections, progress, choice);
   addTilt(file, corrections);
   file.memoryBytes = file.image.voxels.size() * sizeof(std::int16_t);
   file.hu = huCheck(file.image);

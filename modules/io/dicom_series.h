@@ -48,7 +48,7 @@ struct SeriesCheck {
   std::vector<SliceGap> gaps;  ///< steps of 1.5 spacings or more
   std::vector<std::size_t> duplicates;  ///< slices that stand where the one before does
 
-  bool tilted() const { return tiltDeg > 0.1; }
+  bool tilted() const { return tiltDeg > LeastTiltDeg; }
 
   bool uneven() const { return unevenMm > 0.05 || unevenMm > 0.01 * spacingMm; }
 

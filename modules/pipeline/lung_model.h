@@ -9,10 +9,12 @@
 #include "anatomy/airway_tree.h"
 #include "anatomy/efficiency.h"
 #include "anatomy/validation.h"
+#include "core/image.h"
 #include "core/progress.h"
 #include "core/triangle_mesh.h"
 #include "geometry/mesh_doctor.h"
 #include "growth/growth.h"
+#include "segmentation/lung_segmentation.h"
 
 namespace pneuma {
 
@@ -43,6 +45,9 @@ struct Growth {
 /// One person's lungs, everything known so far. Parts are immutable and shared: a copy is cheap, a
 /// worker needs no lock, undo keeps the value before.
 struct LungModel {
+  std::shared_ptr<const CtImage> ct;              ///< null where no CT is open
+  std::shared_ptr<const LabelImage> labels;       ///< lungs and airways in it; null until found
+  std::shared_ptr<const LungSegmentation> lungs;  ///< how they were found; null if labels were read
   std::shared_ptr<const std::vector<LobeSurface>> surfaces;  ///< null for a built-in organ
   std::shared_ptr<const std::vector<LobeRegion>> regions;    ///< null until growth needs them
   std::shared_ptr<const AirwayTree> central;                 ///< null if there are no airways yet

@@ -22,6 +22,10 @@ constexpr double LeastOfHalfWidth = 0.5;
 constexpr double MostOfHalfWidth = 1.4;
 constexpr float Infinite = std::numeric_limits<float>::infinity();
 
+/// A path that comes this near to a point of the tree, as a share of the half-width there, has
+/// reached it: noise would else let two paths run side by side through a wide airway.
+constexpr double JoinShare = 0.5;
+
 double coverMm(double halfWidth) {
   return halfWidth > WideMm ? 2.0 * halfWidth + 2.0 : 1.5 * halfWidth + 1.0;
 }
@@ -128,9 +132,11 @@ struct Node {
 class TreeOfPaths {
  public:
   TreeOfPaths(const Ways& ways, std::size_t root)
-      : ways_(ways), nodeOf_(ways.voxel.size(), -1), covered_(ways.voxel.size(), 0) {
-    addNode(root, -1);
-    cover(root);
+      : ways_(ways),
+        nodeNear_(ways.voxel.size(), -1),
+        nodeAwayMm_(ways.voxel.size(), Infinite),
+        covered_(ways.voxel.size(), 0) {
+    cover(root, addNode(root, -1));
   }
 
   void grow(const Progress& progress) {
@@ -150,21 +156,23 @@ class TreeOfPaths {
       if (covered_[order[n]] != 0) continue;
       path.clear();
       std::size_t v = order[n];
-      while (nodeOf_[v] < 0) {
+      while (nodeNear_[v] < 0) {
         path.push_back(v);
         v = static_cast<std::size_t>(ways_.towardsRoot[v]);
       }
       const double length = ways_.lengthMm[order[n]] - ways_.lengthMm[v];
       if (length - ways_.halfWidthMm[v] < least) continue;
-      int parent = nodeOf_[v];
-      for (auto at = path.rbegin(); at != path.rend(); ++at) parent = addNode(*at, parent);
-      for (const std::size_t at : path) cover(at);
+      int node = nodeNear_[v];
+      if (node == 0 && nodes_.size() > 1) node = 1;  // one branch alone leaves the root
+      for (auto at = path.rbegin(); at != path.rend(); ++at) node = addNode(*at, node);
+      // The last node made belongs to the first voxel of the path.
+      for (const std::size_t at : path) cover(at, node--);
     }
     // Every voxel belongs to the point at which its way to the root meets the tree.
     for (const std::size_t first : order) {
       std::size_t at = first;
-      while (nodeOf_[at] < 0) at = static_cast<std::size_t>(ways_.towardsRoot[at]);
-      ++nodes_[static_cast<std::size_t>(nodeOf_[at])].voxels;
+      while (nodeNear_[at] < 0) at = static_cast<std::size_t>(ways_.towardsRoot[at]);
+      ++nodes_[static_cast<std::size_t>(nodeNear_[at])].voxels;
     }
   }
 
@@ -173,14 +181,14 @@ class TreeOfPaths {
  private:
   int addNode(std::size_t v, int parent) {
     const auto index = static_cast<int>(nodes_.size());
-    nodeOf_[v] = index;
     const Vec3 voxel = (ways_.voxel[v] + ways_.box.low).cast<double>();
     nodes_.push_back({parent, voxel.cwiseProduct(ways_.spacing), ways_.halfWidthMm[v], 0, 0});
     if (parent >= 0) ++nodes_[static_cast<std::size_t>(parent)].children;
     return index;
   }
 
-  void cover(std::size_t v) {
+  void cover(std::size_t v, int node) {
+    const double join = JoinShare * ways_.halfWidthMm[v];
     const double radius = coverMm(ways_.halfWidthMm[v]);
     const Eigen::Vector3i& p = ways_.voxel[v];
     Eigen::Vector3i low;
@@ -195,9 +203,13 @@ class TreeOfPaths {
         for (int i = low.x(); i <= high.x(); ++i) {
           const std::int32_t n = ways_.indexIn[ways_.box.index(i, j, k)];
           if (n < 0) continue;
-          const Vec3 away = (Eigen::Vector3i(i, j, k) - p).cast<double>();
-          if (away.cwiseProduct(ways_.spacing).squaredNorm() <= radius * radius) {
-            covered_[static_cast<std::size_t>(n)] = 1;
+          const auto at = static_cast<std::size_t>(n);
+          const Vec3 steps = (Eigen::Vector3i(i, j, k) - p).cast<double>();
+          const double away = steps.cwiseProduct(ways_.spacing).norm();
+          if (away <= radius) covered_[at] = 1;
+          if (away <= join && away < nodeAwayMm_[at]) {
+            nodeAwayMm_[at] = static_cast<float>(away);
+            nodeNear_[at] = node;
           }
         }
       }
@@ -205,7 +217,8 @@ class TreeOfPaths {
   }
 
   const Ways& ways_;
-  std::vector<int> nodeOf_;
+  std::vector<int> nodeNear_;      ///< the node that a voxel is near enough to to join it, or -1
+  std::vector<float> nodeAwayMm_;  ///< its distance
   std::vector<std::uint8_t> covered_;
   std::vector<Node> nodes_;
 };

@@ -31,12 +31,14 @@ LungSegmentation segmentUpright(const CtImage& ct, const LungOptions& options,
   labels.voxels.assign(ct.voxels.size(), 0);
   progress.part(0.0, 0.1, "finding air").report(0.0);
   AirwayMask airways;
+  double middle = 0.0;
   {
     const InnerAir air = findInnerAir(ct, options.thresholdHu);
     airways = segmentAirways(ct, air, {.wallContrastHu = options.wallContrastHu}, labels.voxels,
                              progress.part(0.1, 0.3, "following airways"));
     const LungAir lungs =
         findLungAir(ct, air, airways, labels, progress.part(0.3, 0.5, "telling the lungs apart"));
+    middle = airways.found() ? airways.tracheaCentre.x() : air.bodyCentre;
     result.separated = lungs.separated;
     result.bridgeMm = lungs.bridgeMm;
   }
@@ -52,6 +54,7 @@ LungSegmentation segmentUpright(const CtImage& ct, const LungOptions& options,
   airways = {};
   result.right = closeLung(ct, Right, options, labels, progress.part(0.6, 0.8, "closing"));
   result.left = closeLung(ct, Left, options, labels, progress.part(0.8, 1.0, "closing"));
+  result.hands = handednessOf(labels, middle);
   return result;
 }
 

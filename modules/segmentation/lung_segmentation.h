@@ -11,6 +11,7 @@
 #include "core/options.h"
 #include "core/progress.h"
 #include "segmentation/bronchus_names.h"
+#include "segmentation/handedness.h"
 
 namespace pneuma {
 
@@ -98,6 +99,7 @@ struct LungSegmentation {
   bool separated = true;  ///< false if nothing told the lungs apart but the middle
   double bridgeMm = 0.0;  ///< radius of the bridge between the lungs that was cut
   double gasRemovedMl = 0.0;
+  Handedness hands;  ///< whether left and right look swapped
   std::vector<SegmentationCheck> checks;
 };
 

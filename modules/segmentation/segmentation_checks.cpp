@@ -40,6 +40,10 @@ std::vector<SegmentationCheck> segmentationChecks(const LungSegmentation& found)
   checks.push_back({"LUNG-SEPARATED", "the lungs were told apart where they touch",
                     found.separated ? 1.0 : 0.0, 1.0, 1.0, "",
                     "they were cut at the body's middle; look at the border between them"});
+  checks.push_back({"HANDEDNESS",
+                    "left and right may be swapped: votes of heart, volumes and domes",
+                    static_cast<double>(found.hands.votes()), -1.0, 3.0, "",
+                    "check the header's orientation; nothing was changed"});
   checks.push_back({"AIRWAY-TRACHEA", "length of the trachea", found.airways.tracheaLengthMm, 20.0,
                     300.0, "mm", "no airways were found; growth will use template airways"});
   checks.push_back({"AIRWAY-LEAK", "largest step of the airways", found.airways.largestStepMl, 0.0,

@@ -53,8 +53,8 @@ run compare rul.vtp kitaoka.vtp --domain rul.obj -o outside.txt --force
 [ "$code" -eq 7 ] || fail "exit code $code, not 7"
 grep -q '^check failed: OUTSIDE-ENDS of rul is ' "$logs/err" || fail "it does not say which tree failed"
 
-refuses "one tree" 2 "trees.*at least 2.*1" compare kitaoka.vtp
-refuses "no tree" 2 "trees.*required" compare
+refuses "one tree" 2 "FILES.*at least 2.*1" compare kitaoka.vtp
+refuses "no tree" 2 "FILES.*required" compare
 refuses "a tree that is missing" 3 "missing.vtp" compare kitaoka.vtp missing.vtp
 refuses "a surface" 5 "rul.obj.*surface.*airway trees" compare kitaoka.vtp lobes/rul.obj
 "$PNEUMA" export lobes/rul.obj -o rul_surface.vtp >/dev/null

@@ -123,6 +123,16 @@ TEST(AirwayCentreline, GrowsNoSpursOutOfAWideAirway) {
   EXPECT_EQ(airwayCentreline(geometry, maskOf(geometry, tubes)).size(), 1U);
 }
 
+TEST(AirwayCentreline, HasOneRootWhereABranchLeavesAtTheTop) {
+  const ImageGeometry geometry = gridOf({0.8, 0.8, 1.25});
+  const std::vector<Tube> tubes = {{{0.0, 0.0, 0.0}, {0.0, 0.0, -80.0}, 8.0},
+                                   {{0.0, 0.0, 0.0}, {40.0, 0.0, 2.0}, 3.0}};
+  const AirwayTree tree = airwayCentreline(geometry, maskOf(geometry, tubes));
+  ASSERT_EQ(tree.size(), 3U);
+  EXPECT_EQ(std::count_if(tree.begin(), tree.end(), [](const Branch& b) { return b.parent < 0; }),
+            1);
+}
+
 TEST(AirwayCentreline, OfNothingIsEmpty) {
   EXPECT_TRUE(airwayCentreline(gridOf(Vec3::Ones()), AirwayMask{}).empty());
 }

@@ -65,16 +65,6 @@ void markDeclaredPadding(const DicomSlice& slice, std::span<const T> stored, std
   }
 }
 
-void markCorners(std::span<std::int16_t> hu, std::size_t columns) {
-  for (const std::size_t corner :
-       {std::size_t{0}, columns - 1, hu.size() - columns, hu.size() - 1}) {
-    const std::int16_t value = hu[corner];
-    if (value < LowestMeasuredHu && value != PaddingHu) {
-      std::ranges::replace(hu, value, PaddingHu);
-    }
-  }
-}
-
 /// What is wrong with a decompressed slice, or "". The decoders cut values to the bits stated, so
 /// that damage shows only where no scanner goes.
 std::string rangeFault(std::span<const std::int16_t> hu) {
@@ -95,7 +85,7 @@ std::string takeSlices(const DicomSeries& series, std::span<const SliceTarget> t
     const std::span<const T> stored(pixels + size * static_cast<std::size_t>(slice.frame), size);
     rescale(slice, stored, target.hu);
     markDeclaredPadding(slice, stored, columns, target.hu);
-    markCorners({target.hu, size}, columns);
+    markCornerPadding({target.hu, size}, columns);
     if (series.compression.empty()) continue;
     std::string fault = rangeFault({target.hu, size});
     if (!fault.empty()) return fault;
@@ -104,6 +94,16 @@ std::string takeSlices(const DicomSeries& series, std::span<const SliceTarget> t
 }
 
 }  // namespace
+
+void markCornerPadding(std::span<std::int16_t> slice, std::size_t columns) {
+  for (const std::size_t corner :
+       {std::size_t{0}, columns - 1, slice.size() - columns, slice.size() - 1}) {
+    const std::int16_t value = slice[corner];
+    if (value < LowestMeasuredHu && value != PaddingHu) {
+      std::ranges::replace(slice, value, PaddingHu);
+    }
+  }
+}
 
 std::string readSlices(const DicomSeries& series, std::span<const SliceTarget> targets) {
   const QuietStderr quiet;

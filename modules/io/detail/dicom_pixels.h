@@ -22,4 +22,8 @@ struct SliceTarget {
 /// @returns why it failed, as the end of "FILE ...", or ""
 std::string readSlices(const DicomSeries& series, std::span<const SliceTarget> targets);
 
+/// Makes PaddingHu of a value below -1024 HU that stands in a corner of a slice, wherever it
+/// stands.
+void markCornerPadding(std::span<std::int16_t> slice, std::size_t columns);
+
 }  // namespace pneuma

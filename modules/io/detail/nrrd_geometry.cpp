@@ -131,7 +131,8 @@ Mat3 lpsFromSpace(const HeaderFields& fields, VolumeHeader& header, const std::s
   header.space = fields["space"];
   const std::string space = lowerCase(fields["space"]);
   if (space == "left-posterior-superior" || space == "lps") return Mat3::Identity();
-  if (space == "right-anterior-superior" || space == "ras") return turnedRound(Mat3(Mat3::Identity()));
+  if (space == "right-anterior-superior" || space == "ras")
+    return turnedRound(Mat3(Mat3::Identity()));
   if (space == "left-anterior-superior" || space == "las") {
     return Vec3(1.0, -1.0, 1.0).asDiagonal().toDenseMatrix();
   }

@@ -1,0 +1,135 @@
+#include <iostream>
+#include <memory>
+
+#include "cli/arguments.h"
+#include "cli/command.h"
+#include "cli/files.h"
+#include "cli/text.h"
+#include "pipeline/report.h"
+#include "pipeline/run_recipe.h"
+
+namespace pneuma::cli {
+namespace {
+
+struct RunArguments {
+  std::filesystem::path recipe;
+  std::filesystem::path ct;
+  std::string from;
+  std::string upTo;
+  bool dryRun = false;
+};
+
+/// @throws InvalidOption naming the nearest stage
+Stage stageOf(const std::string& text, const std::string& option) {
+  const auto names = choices(Stage{});
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (names[i] == text) return static_cast<Stage>(i);
+  }
+  const std::string_view nearest = nearestWord(text, {names.begin(), names.end()});
+  throw InvalidOption(option + " names no stage with '" + text + "'" +
+                      (nearest.empty() ? "; stages are " + joinedChoices(names)
+                                       : "; did you mean '" + std::string(nearest) + "'?"));
+}
+
+/// Removes the folder again if the run made it and left nothing in it.
+class MadeFolder {
+ public:
+  explicit MadeFolder(std::filesystem::path path)
+      : path_(std::move(path)), was_(std::filesystem::exists(path_)) {}
+
+  ~MadeFolder() {
+    std::error_code ignored;
+    if (!was_ && std::filesystem::is_empty(path_, ignored)) {
+      std::filesystem::remove(path_, ignored);
+    }
+  }
+
+  MadeFolder(const MadeFolder&) = delete;
+  MadeFolder& operator=(const MadeFolder&) = delete;
+
+ private:
+  std::filesystem::path path_;
+  bool was_;
+};
+
+Json reportOf(const Recipe& recipe, const std::vector<StageResult>& results) {
+  Json report = reportEnvelope("pneuma/run-report/1", {}, toJson(recipe), 0);
+  report["stages"] = Json::array();
+  for (const StageResult& result : results) {
+    report["stages"].push_back({{"stage", choices(Stage{})[static_cast<std::size_t>(result.stage)]},
+                                {"state", textOf(result.state)},
+                                {"seconds", result.seconds},
+                                {"files", result.files},
+                                {"warnings", result.warnings}});
+    for (const std::string& warning : result.warnings) report["warnings"].push_back(warning);
+  }
+  return report;
+}
+
+std::string tableOf(const std::vector<StageResult>& results) {
+  std::vector<std::vector<std::string>> rows = {{"stage", "state", "time", "files"}};
+  for (const StageResult& result : results) {
+    std::string files;
+    for (const std::string& file : result.files) files += (files.empty() ? "" : ", ") + file;
+    rows.push_back({textOf(result.stage), textOf(result.state),
+                    result.seconds > 0.0 ? fixed(result.seconds, 1) + " s" : "", files});
+  }
+  return table(rows);
+}
+
+ExitCode runRun(const RunArguments& arguments, const CommonOptions& common,
+                const Progress& progress) {
+  if (arguments.recipe.empty() && arguments.ct.empty()) {
+    throw InvalidOption("run needs a recipe, or a CT with --ct");
+  }
+  Recipe recipe;
+  if (!arguments.recipe.empty()) recipe = readRecipe(arguments.recipe);
+  if (!arguments.ct.empty()) recipe.ct = arguments.ct;
+  RunOptions options;
+  options.folder = common.output;
+  options.dryRun = arguments.dryRun;
+  if (!arguments.upTo.empty()) options.upTo = stageOf(arguments.upTo, "--up-to");
+  if (!arguments.from.empty()) {
+    options.from = stageOf(arguments.from, "--from");
+    options.anew = true;
+  }
+  if (std::filesystem::exists(options.folder) && !std::filesystem::is_directory(options.folder)) {
+    throw OutputFailed("'" + options.folder.string() +
+                       "' is a file; --output of run names a folder");
+  }
+  const MadeFolder folder(options.folder);
+  const std::vector<StageResult> results = runRecipe(recipe, options, progress);
+  const Json report = reportOf(recipe, results);
+  if (!common.quiet) printWarnings(report.at("warnings").get<std::vector<std::string>>());
+  if (common.json) {
+    std::cout << jsonText(report);
+  } else if (!common.quiet) {
+    std::cout << tableOf(results);
+  }
+  return ExitCode::Done;
+}
+
+}  // namespace
+
+Run declareRun(CLI::App& app, CommonOptions& common) {
+  const auto arguments = std::make_shared<RunArguments>();
+  app.add_option("RECIPE", arguments->recipe,
+                 "What to do with the options of every stage, as JSON; without it the defaults.")
+      ->type_name("FILE");
+  app.add_option("--ct", arguments->ct, "The CT, instead of the recipe's.")->type_name("PATH");
+  app.add_option("-o,--output", common.output,
+                 "The folder for labels, surfaces, airways, tree and reports.")
+      ->type_name("FOLDER")
+      ->required();
+  app.add_option("--from", arguments->from, "Do this stage and those after it anew.")
+      ->type_name(choiceType(choices(Stage{})));
+  app.add_option("--up-to", arguments->upTo, "Stop after this stage.")
+      ->type_name(choiceType(choices(Stage{})));
+  app.add_flag("--dry-run", arguments->dryRun, "Only say which stages would be done.");
+  addJson(app, common);
+  return [arguments, &common](const Progress& progress) {
+    return runRun(*arguments, common, progress);
+  };
+}
+
+}  // namespace pneuma::cli

@@ -1,0 +1,147 @@
+#include <chrono>
+#include <iostream>
+#include <memory>
+
+#include "cli/arguments.h"
+#include "cli/command.h"
+#include "cli/ct_report.h"
+#include "cli/files.h"
+#include "cli/text.h"
+#include "io/surface_file.h"
+#include "io/tree_file.h"
+#include "io/volume_file.h"
+#include "pipeline/ct_model.h"
+#include "pipeline/report.h"
+#include "pipeline/segment_report.h"
+
+namespace pneuma::cli {
+namespace {
+
+struct SegmentArguments {
+  std::filesystem::path input;
+  SeriesChoice series;
+  CtCorrections corrections;
+  LungOptions lungs;
+  SurfaceOptions surfaceOptions;
+  std::filesystem::path surfaces;  ///< folder; may be empty
+  std::filesystem::path central;   ///< may be empty
+  std::filesystem::path report;    ///< may be empty
+  bool strict = false;
+};
+
+std::filesystem::path surfacePath(const SegmentArguments& arguments, const LobeSurface& surface) {
+  return arguments.surfaces / (surface.name + ".vtp");
+}
+
+void requireUsable(const SegmentArguments& arguments, const CommonOptions& common) {
+  if (!common.output.empty()) requireVolumeOutput(common.output, common.existing());
+  if (!arguments.central.empty()) requireTreeOutput(arguments.central, common.existing());
+  if (!arguments.report.empty()) requireOutput(arguments.report, common.existing());
+  if (arguments.surfaces.empty()) return;
+  for (const char* name : {"right.vtp", "left.vtp"}) {
+    if (std::filesystem::exists(arguments.surfaces)) {
+      requireSurfaceOutput(arguments.surfaces / name, common.existing());
+    }
+  }
+}
+
+double secondsSince(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+void writeAll(const SegmentArguments& arguments, const CommonOptions& common,
+              const LungModel& model, const Json& report, const Progress& progress) {
+  OutputSet outputs;
+  if (!common.output.empty()) {
+    outputs.add(common.output);
+    writeVolume(common.output, *model.labels, common.existing());
+    progress.report(0.6);
+  }
+  if (!arguments.surfaces.empty()) {
+    outputs.addFolder(arguments.surfaces);
+    for (const LobeSurface& surface : *model.surfaces) {
+      outputs.add(surfacePath(arguments, surface));
+      writeSurface(surfacePath(arguments, surface), *surface.mesh);
+      progress.report(0.8);
+    }
+  }
+  if (!arguments.central.empty() && model.central) {
+    outputs.add(arguments.central);
+    writeTree(arguments.central, *model.central,
+              {{"method", "measured in a CT"}, {"version", versionText()}});
+  }
+  if (!arguments.report.empty()) {
+    outputs.add(arguments.report);
+    writeFile(arguments.report, jsonText(report), common.existing());
+  }
+  outputs.keep();
+}
+
+ExitCode runSegment(const SegmentArguments& arguments, const CommonOptions& common,
+                    const Progress& progress) {
+  requireUsable(arguments, common);
+  const auto start = std::chrono::steady_clock::now();
+  CtFile file = readCt(arguments.input, arguments.corrections, progress.part(0.0, 0.2, "reading"),
+                       arguments.series);
+  const InputFile input = ctInput(arguments.input, file);
+  LungModel model = modelOf(std::move(file), arguments.input);
+  model.inputs = {input};
+  const double readSeconds = secondsSince(start);
+  model = arguments.surfaces.empty()
+              ? withLungs(model, arguments.lungs, progress.part(0.2, 0.9, "finding the lungs"))
+              : withSurfaces(
+                    withLungs(model, arguments.lungs, progress.part(0.2, 0.8, "finding the lungs")),
+                    arguments.surfaceOptions, progress.part(0.8, 0.9, "drawing surfaces"));
+  Json report = reportEnvelope("pneuma/segment/1", model.inputs, toJson(arguments.lungs), 0);
+  addLungs(model, report);
+  report["timing_s"] = {{"read", readSeconds}, {"find", secondsSince(start) - readSeconds}};
+  report["peak_memory_mb"] = peakMemoryMb();
+  if (!arguments.central.empty() && !model.central) {
+    report["warnings"].push_back("no airways were found, so that " + arguments.central.string() +
+                                 " was not written");
+  }
+  writeAll(arguments, common, model, report, progress.part(0.9, 1.0, "writing"));
+  progress.report(1.0);
+  const auto warnings = report.at("warnings").get<std::vector<std::string>>();
+  if (!common.quiet) printWarnings(warnings);
+  if (common.json) {
+    std::cout << jsonText(report);
+  } else if (!common.quiet) {
+    std::cout << lungsText(model);
+  }
+  return arguments.strict && !warnings.empty() ? ExitCode::CheckFailed : ExitCode::Done;
+}
+
+}  // namespace
+
+Run declareSegment(CLI::App& app, CommonOptions& common) {
+  const auto arguments = std::make_shared<SegmentArguments>();
+  app.add_option("CT", arguments->input,
+                 "A folder of DICOM files, one of them, a zip archive, or a volume file.")
+      ->type_name("PATH")
+      ->required();
+  addOutput(app, common, "FILE",
+            "Write the labels here, .nii.gz, .nii, .nrrd or .mha: 10 right lung, 20 left lung, 6 "
+            "trachea and bronchi.");
+  app.add_option("--surfaces", arguments->surfaces,
+                 "Write right.vtp and left.vtp into this folder: closed surfaces to grow in.")
+      ->type_name("FOLDER");
+  app.add_option("--central", arguments->central,
+                 "Write the airways here, .vtp, .swc, .csv or .json: the --central of grow.")
+      ->type_name("FILE");
+  app.add_option("--report", arguments->report, "Write the JSON report here.")->type_name("FILE");
+  app.add_option("--series", arguments->series.wanted,
+                 "The series to take: its place in the list of 'pneuma info', or its UID; else the "
+                 "best.")
+      ->type_name("N|UID");
+  addCorrections(app, arguments->corrections);
+  addFields(app, arguments->lungs);
+  addFields(app, arguments->surfaceOptions);
+  app.add_flag("--strict", arguments->strict, "End with 7 if there is a warning.");
+  addJson(app, common);
+  return [arguments, &common](const Progress& progress) {
+    return runSegment(*arguments, common, progress);
+  };
+}
+
+}  // namespace pneuma::cli

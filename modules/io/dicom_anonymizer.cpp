@@ -1,0 +1,292 @@
+#include "io/dicom_anonymizer.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <openssl/evp.h>
+#include <openssl/hmac.h>
+#include <vtkDICOMDictionary.h>
+
+#include "io/detail/dicom_elements.h"
+#include "io/detail/text_fields.h"
+
+namespace pneuma {
+namespace {
+
+constexpr std::string_view StandardRoot = "1.2.840.10008.";  // classes and syntaxes of the standard
+constexpr std::uint32_t PixelData = 0x7FE00010;
+constexpr std::uint32_t SeriesUid = 0x0020000E;
+
+/// Texts that say how a picture was made, not of whom.
+constexpr std::array<std::uint32_t, 8> HarmlessTexts = {0x00080070,   // Manufacturer
+                                                        0x00081090,   // ManufacturerModelName
+                                                        0x00080100,   // CodeValue
+                                                        0x00080102,   // CodingSchemeDesignator
+                                                        0x00080104,   // CodeMeaning
+                                                        0x00181020,   // SoftwareVersions
+                                                        0x00181160,   // FilterType
+                                                        0x00181210};  // ConvolutionKernel
+
+/// Descriptions that are cleaned word by word.
+constexpr std::array<std::uint32_t, 3> Descriptions = {0x00081030, 0x0008103E, 0x00181030};
+
+/// Codes and numbers about a person all the same (PS3.15, table E.1-1), and sequences that repeat
+/// what was removed or lead to the patient.
+constexpr std::array<std::uint32_t, 13> Telling = {0x00081110,   // ReferencedStudySequence
+                                                   0x00081120,   // ReferencedPatientSequence
+                                                   0x0008114A,   // ReferencedInstanceSequence
+                                                   0x00200010,   // StudyID
+                                                   0x00321064,   // RequestedProcedureCodeSequence
+                                                   0x00400244,   // PerformedProcedureStepStartDate
+                                                   0x00400260,   // PerformedProtocolCodeSequence
+                                                   0x00400275,   // RequestAttributesSequence
+                                                   0x0040A730,   // ContentSequence
+                                                   0x00880200,   // IconImageSequence
+                                                   0x04000561,   // OriginalAttributesSequence
+                                                   0x04000550,   // ModifiedAttributesSequence
+                                                   0xFFFAFFFA};  // DigitalSignaturesSequence
+
+/// Words that describe CTs of any person.
+constexpr std::array<std::string_view, 44> CommonWords = {
+    "abdomen",   "airway",   "angio",       "arterial", "axial",  "bone",       "bronchi",
+    "chest",     "contrast", "coronal",     "ct",       "cta",    "expiration", "helical",
+    "hr",        "hrct",     "inspiration", "iv",       "kernel", "kv",         "lowdose",
+    "lung",      "lungs",    "mediastinum", "mm",       "native", "no",         "of",
+    "pulmonary", "recon",    "routine",     "sagittal", "scan",   "scout",      "series",
+    "sharp",     "soft",     "standard",    "supine",   "thick",  "thin",       "thorax",
+    "venous",    "with"};
+
+bool contains(std::span<const std::uint32_t> tags, std::uint32_t tag) {
+  return std::ranges::find(tags, tag) != tags.end();
+}
+
+std::string keywordOf(std::uint32_t tag) {
+  const vtkDICOMDictEntry entry = vtkDICOMDictionary::FindDictEntry(vtkDICOMTag(
+      static_cast<unsigned short>(tag >> 16), static_cast<unsigned short>(tag & 0xFFFF)));
+  return entry.IsValid() ? entry.GetName() : "attributes that no dictionary knows";
+}
+
+std::vector<unsigned char> hmac(std::string_view text, std::string_view key) {
+  std::vector<unsigned char> digest(32);
+  unsigned int size = 32;
+  HMAC(EVP_sha256(), key.data(), static_cast<int>(key.size()),
+       reinterpret_cast<const unsigned char*>(text.data()), text.size(), digest.data(), &size);
+  return digest;
+}
+
+std::string pseudonym(std::string_view id, std::string_view key) {
+  static constexpr std::string_view Digits = "0123456789ABCDEF";
+  std::string patient = "patient ";
+  patient += id;
+  const std::vector<unsigned char> digest = hmac(patient, key);
+  std::string text = "ANON-";
+  for (std::size_t i = 0; i < 6; ++i) {
+    text += Digits[digest[i] >> 4];
+    text += Digits[digest[i] & 15];
+  }
+  return text;
+}
+
+/// The common words, and numbers of up to three digits with or without a unit.
+std::string cleaned(const std::string& description) {
+  std::string result;
+  std::string_view rest = description;
+  for (std::string_view word = takeWord(rest); !word.empty(); word = takeWord(rest)) {
+    const std::string lower = lowerCase(word);
+    std::string_view letters = lower;
+    std::size_t digits = 0;
+    while (!letters.empty() && (std::isdigit(static_cast<unsigned char>(letters.front())) != 0 ||
+                                letters.front() == '.')) {
+      digits += letters.front() == '.' ? 0 : 1;
+      letters.remove_prefix(1);
+    }
+    const bool common = std::ranges::find(CommonWords, letters) != CommonWords.end();
+    if (digits <= 3 && (common || (letters.empty() && digits > 0))) {
+      if (!result.empty()) result += ' ';
+      result += word;
+    }
+  }
+  return result;
+}
+
+class Anonymizer {
+ public:
+  Anonymizer(std::string_view key, AnonymizedDicom& result) : key_(key), result_(result) {}
+
+  DicomDataSet dataSet(const DicomDataSet& elements) {
+    DicomDataSet kept;
+    for (const DicomElement& element : elements) {
+      if (element.isPrivate()) {
+        ++result_.privateRemoved;
+      } else if (!keep(element, kept)) {
+        ++result_.removed[keywordOf(element.tag)];
+      }
+    }
+    return kept;
+  }
+
+  /// Replaces every UID of a value that is not the standard's.
+  std::string uids(const DicomElement& element) {
+    std::string text;
+    std::string rest = element.text();
+    while (true) {
+      const std::size_t end = rest.find('\\');
+      const std::string uid(trimmed(rest.substr(0, end)));
+      if (uid.empty() || uid.starts_with(StandardRoot)) {
+        text += uid;
+      } else {
+        text += anonymizedUid(uid, key_);
+        ++result_.uidsReplaced;
+      }
+      if (end == std::string::npos) return text;
+      text += '\\';
+      rest.erase(0, end + 1);
+    }
+  }
+
+ private:
+  /// Puts the element, or what becomes of it, into `kept`; false if it goes.
+  bool keep(const DicomElement& element, DicomDataSet& kept) {
+    const std::uint32_t group = element.tag >> 16;
+    const std::string& vr = element.vr;
+    // Patients, curves, overlays, texts of overlays, padding, signatures.
+    const bool telling = group == 0x0010 || group == 0x0012 || group >> 8 == 0x50 ||
+                         group >> 8 == 0x60 || group == 0x4000 || group == 0xFFFC ||
+                         contains(Telling, element.tag);
+    if (telling) return false;
+    if (vr == "SQ") {
+      DicomElement sequence = element;
+      for (DicomDataSet& item : sequence.items) item = dataSet(item);
+      std::erase_if(sequence.items, [](const DicomDataSet& item) { return item.empty(); });
+      if (sequence.items.empty()) return false;
+      kept.push_back(std::move(sequence));
+      return true;
+    }
+    if (vr == "UI") {
+      kept.push_back(dicomText(element.tag, vr, uids(element)));
+      return true;
+    }
+    if (contains(Descriptions, element.tag)) {
+      const std::string words = cleaned(element.text());
+      if (words.empty()) return false;
+      kept.push_back(dicomText(element.tag, vr, words));
+      return words == element.text();
+    }
+    static constexpr std::array<std::string_view, 11> Numbers = {"CS", "DS", "IS", "US", "SS", "UL",
+                                                                 "SL", "FL", "FD", "AT", "OF"};
+    const bool number = std::ranges::find(Numbers, vr) != Numbers.end();
+    // Pixels and look-up tables are the only bytes that a CT needs.
+    const bool bytes = element.tag == PixelData || (group == 0x0028 && vr == "OW");
+    if (!number && !bytes && !contains(HarmlessTexts, element.tag)) return false;
+    kept.push_back(element);
+    return true;
+  }
+
+  std::string key_;
+  AnonymizedDicom& result_;
+};
+
+DicomElement code(const std::string& value, const std::string& meaning) {
+  DicomElement element;
+  element.items.push_back({dicomText(0x00080100, "SH", value), dicomText(0x00080102, "SH", "DCM"),
+                           dicomText(0x00080104, "LO", meaning)});
+  return element;
+}
+
+/// What a file must have all the same, and what says that it was anonymized.
+void addRequired(DicomDataSet& data, const std::string& patient) {
+  DicomElement method;
+  method.tag = 0x00120064;
+  method.vr = "SQ";
+  method.items = {code("113100", "Basic Application Confidentiality Profile").items.front(),
+                  code("113105", "Clean Descriptors Option").items.front()};
+  const std::array<DicomElement, 15> required = {
+      dicomText(0x00080020, "DA", ""),  // StudyDate
+      dicomText(0x00080030, "TM", ""),  // StudyTime
+      dicomText(0x00080050, "SH", ""),  // AccessionNumber
+      dicomText(0x00080090, "PN", ""),  // ReferringPhysicianName
+      dicomText(0x00100010, "PN", patient),
+      dicomText(0x00100020, "LO", patient),
+      dicomText(0x00100030, "DA", ""),     // PatientBirthDate
+      dicomText(0x00100040, "CS", ""),     // PatientSex
+      dicomText(0x00120062, "CS", "YES"),  // PatientIdentityRemoved
+      dicomText(0x00120063, "LO", "Pneuma: PS3.15 Basic Profile, Clean Descriptors"),
+      method,
+      dicomText(0x00200010, "SH", ""),         // StudyID
+      dicomText(0x00280303, "CS", "REMOVED"),  // LongitudinalTemporalInformationModified
+      dicomText(0x00080023, "DA", ""),         // ContentDate
+      dicomText(0x00080033, "TM", "")};        // ContentTime
+  for (const DicomElement& element : required) {
+    std::erase_if(data, [&](const DicomElement& e) { return e.tag == element.tag; });
+    data.push_back(element);
+  }
+  std::ranges::stable_sort(data, {}, &DicomElement::tag);
+}
+
+std::string textAt(const DicomDataSet& data, std::uint32_t tag) {
+  const auto found = std::ranges::find(data, tag, &DicomElement::tag);
+  return found == data.end() ? "" : found->text();
+}
+
+std::string burnedInReason(const DicomDataSet& data) {
+  if (textAt(data, 0x00280301) == "YES") return "its header says that text is drawn into it";
+  if (textAt(data, 0x00080016).starts_with("1.2.840.10008.5.1.4.1.1.7")) {
+    return "it is a secondary capture (a copy of a screen)";
+  }
+  return "";
+}
+
+}  // namespace
+
+std::string anonymizedUid(std::string_view uid, std::string_view key) {
+  std::vector<unsigned char> number = hmac(uid, key);
+  number.resize(16);
+  number[6] = static_cast<unsigned char>((number[6] & 0x0F) | 0x40);  // as a random UUID has it
+  number[8] = static_cast<unsigned char>((number[8] & 0x3F) | 0x80);
+  std::string digits;
+  while (std::ranges::any_of(number, [](unsigned char byte) { return byte != 0; })) {
+    unsigned rest = 0;
+    for (unsigned char& byte : number) {
+      const unsigned value = rest << 8 | byte;
+      byte = static_cast<unsigned char>(value / 10);
+      rest = value % 10;
+    }
+    digits += static_cast<char>('0' + rest);
+  }
+  std::ranges::reverse(digits);
+  std::string result = "2.25.";
+  result += digits;
+  return result;
+}
+
+AnonymizedDicom anonymizedDicom(std::string_view file, std::string_view key,
+                                const std::string& name) {
+  const DicomElements from = dicomElements(file, name);
+  AnonymizedDicom result;
+  Anonymizer anonymizer(key, result);
+  DicomElements to;
+  to.isExplicit = from.isExplicit;
+  for (const DicomElement& element : from.meta) {
+    // The class, the instance and the syntax; who sent it to whom goes.
+    if (element.tag == 0x00020002 || element.tag == 0x00020003 || element.tag == 0x00020010) {
+      to.meta.push_back(dicomText(element.tag, "UI", anonymizer.uids(element)));
+    } else if (element.tag == 0x00020001) {
+      to.meta.push_back(element);
+    }
+  }
+  to.meta.push_back(dicomText(0x00020012, "UI", anonymizedUid("Pneuma", "implementation")));
+  std::ranges::stable_sort(to.meta, {}, &DicomElement::tag);
+  to.data = anonymizer.dataSet(from.data);
+  addRequired(to.data, pseudonym(textAt(from.data, 0x00100020), key));
+  result.hasPixels = std::ranges::find(to.data, PixelData, &DicomElement::tag) != to.data.end();
+  result.seriesUid = textAt(to.data, SeriesUid);
+  result.burnedIn = burnedInReason(from.data);
+  result.content = dicomFile(to);
+  return result;
+}
+
+}  // namespace pneuma

@@ -1,0 +1,70 @@
+#include "pipeline/ct_model.h"
+
+#include <array>
+#include <utility>
+
+#include "core/error.h"
+#include "geometry/mesh_doctor.h"
+#include "pipeline/segment_report.h"
+
+namespace pneuma {
+
+LungModel modelOf(CtFile file, const std::filesystem::path& path) {
+  LungModel model;
+  model.inputs.push_back({path.string(), ""});
+  model.warnings = std::move(file.warnings);
+  model.ct = std::make_shared<const CtImage>(std::move(file.image));
+  return model;
+}
+
+LungModel openCt(const std::filesystem::path& path, const CtCorrections& corrections,
+                 const Progress& progress) {
+  return modelOf(readCt(path, corrections, progress), path);
+}
+
+LungModel withLungs(const LungModel& model, const LungOptions& options, const Progress& progress) {
+  if (!model.ct) throw InvalidInput("there is no CT to find lungs in; open one first");
+  LungModel result;
+  result.ct = model.ct;
+  result.inputs = model.inputs;
+  result.warnings = model.warnings;
+  result.readSeconds = model.readSeconds;
+  const auto lungs =
+      std::make_shared<const LungSegmentation>(segmentLungs(*model.ct, options, progress));
+  result.lungs = lungs;
+  result.labels = std::shared_ptr<const LabelImage>(lungs, &lungs->labels);
+  if (!lungs->central.empty()) {
+    result.central = std::shared_ptr<const AirwayTree>(lungs, &lungs->central);
+  }
+  for (const SegmentationCheck& check : lungs->checks) {
+    if (!check.ok()) result.warnings.push_back(sentence(check));
+  }
+  return result;
+}
+
+LungModel withSurfaces(const LungModel& model, const SurfaceOptions& options,
+                       const Progress& progress) {
+  LungModel result = model;
+  auto surfaces = std::make_shared<std::vector<LobeSurface>>();
+  const std::array<std::pair<Lobe, const LungFinding*>, 2> both = {
+      {{Lobe::RightLung, &model.lungs->right}, {Lobe::LeftLung, &model.lungs->left}}};
+  for (std::size_t n = 0; n < both.size(); ++n) {
+    const auto& [lobe, found] = both[n];
+    if (found->volumeMl == 0.0) continue;
+    const Progress part = progress.part(0.5 * static_cast<double>(n),
+                                        0.5 * static_cast<double>(n + 1), "drawing surfaces");
+    LobeSurface surface;
+    surface.lobe = lobe;
+    surface.name = std::string(shortName(lobe));
+    auto mesh = labelSurface(*model.labels, static_cast<std::uint8_t>(lobe), options,
+                             part.part(0.0, 0.7, "drawing surfaces"));
+    surface.health = examine(mesh, SelfIntersections::Skip, part.part(0.7, 1.0, "examining"));
+    surface.mesh = std::make_shared<const TriangleMesh>(std::move(mesh));
+    surfaces->push_back(std::move(surface));
+  }
+  result.surfaces = std::move(surfaces);
+  result.regions = nullptr;
+  return result;
+}
+
+}  // namespace pneuma

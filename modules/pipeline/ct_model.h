@@ -1,0 +1,29 @@
+#pragma once
+
+#include <filesystem>
+
+#include "io/ct_file.h"
+#include "pipeline/lung_model.h"
+#include "segmentation/label_surface.h"
+
+namespace pneuma {
+
+/// A model with a CT and what was noticed while reading it.
+/// @throws as readCt()
+LungModel openCt(const std::filesystem::path& path, const CtCorrections& corrections = {},
+                 const Progress& progress = {});
+
+/// The model of a CT that was read already. @param path for the record
+LungModel modelOf(CtFile file, const std::filesystem::path& path);
+
+/// The same with lungs and central airways found in its CT. What was grown before is gone.
+/// @throws InvalidInput if there is no CT; as segmentLungs()
+LungModel withLungs(const LungModel& model, const LungOptions& options = {},
+                    const Progress& progress = {});
+
+/// The same with the closed surfaces of its lungs, to grow in. @throws as labelSurface()
+/// @pre model.lungs is set
+LungModel withSurfaces(const LungModel& model, const SurfaceOptions& options = {},
+                       const Progress& progress = {});
+
+}  // namespace pneuma

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "growth/growth.h"
+#include "io/ct_file.h"
+#include "io/json.h"
+#include "segmentation/label_surface.h"
+#include "segmentation/lung_segmentation.h"
+
+namespace pneuma {
+
+/// The steps from a CT to a tree, in their order. What one makes the next ones read.
+enum class Stage { Open, Lungs, Airways, Export };
+
+constexpr auto choices(Stage) {
+  return std::array<std::string_view, 4>{"open", "lungs", "airways", "export"};
+}
+
+/// What `pneuma run` does with a CT: the options of every stage. Everything has a default.
+struct Recipe {
+  std::filesystem::path ct;
+  SeriesChoice series;
+  CtCorrections corrections;
+  LungOptions lungs;
+  SurfaceOptions surfaces;
+  GrowthOptions growth = growthMethods().front().defaults;
+  bool grow = true;                  ///< false: the recipe ends with the lungs
+  std::vector<std::string> formats;  ///< of the grown tree, besides VTP: "swc", "csv", "json"
+};
+
+/// Reads a recipe ("pneuma/recipe/1", resources/schemas/recipe.schema.json):
+/// {"schema": "pneuma/recipe/1", "open": {"ct": PATH, ...}, "lungs": {...},
+///  "airways": {"method": NAME, ...}, "export": {"tree": [...]}}. Paths are relative to the recipe.
+/// @throws InputMissing, InvalidInput (no JSON, another schema, an unknown stage or key, naming the
+/// nearest), InvalidOption (out of range), Unsupported (stages that are to come)
+Recipe readRecipe(const std::filesystem::path& path);
+
+/// The recipe as it would stand in a file, defaults included.
+Json toJson(const Recipe& recipe);
+
+}  // namespace pneuma

@@ -1,0 +1,141 @@
+#include <algorithm>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "core/parallel.h"
+#include "pipeline/sample_ct.h"
+#include "segmentation/label_agreement.h"
+#include "segmentation/lung_segmentation.h"
+
+// Lungs and airways found in CTs of the sample chest, whose truth is known.
+namespace pneuma {
+namespace {
+
+const SampleChest& chest() {
+  static const SampleChest made = sampleChest();
+  return made;
+}
+
+struct Case {
+  std::string name;
+  SampleCtOptions options;
+};
+
+void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
+
+/// A CT of the size of hospitals' would cost a minute here; these keep the slices and coarsen them.
+SampleCtOptions usual() {
+  SampleCtOptions options;
+  options.spacingMm = 1.2;
+  return options;
+}
+
+template <class Change>
+Case with(const std::string& name, const Change& change) {
+  Case c{name, usual()};
+  change(c.options);
+  return c;
+}
+
+bool failed(const LungSegmentation& found, const std::string& check) {
+  return std::any_of(found.checks.begin(), found.checks.end(), [&](const SegmentationCheck& c) {
+    return c.id.find(check) != std::string::npos && !c.ok();
+  });
+}
+
+class SegmentSample : public testing::TestWithParam<Case> {};
+
+TEST_P(SegmentSample, AgreesWithTheTruth) {
+  const SampleCtOptions& options = GetParam().options;
+  const SampleCt sample = sampleCt(chest(), options);
+  const LungSegmentation found = segmentLungs(sample.image);
+  const double volumeLimit = options.thickMm <= 2.5 ? 0.01 : 0.03;
+  for (const Lobe lung : {Lobe::RightLung, Lobe::LeftLung}) {
+    const LabelAgreement same =
+        agreement(sample.truth, found.labels, static_cast<std::uint8_t>(lung));
+    EXPECT_GE(same.dice, 0.985) << shortName(lung);
+    EXPECT_LE(std::abs(same.volumeDifference()), volumeLimit)
+        << shortName(lung) << ": " << same.firstMl << " ml, found " << same.secondMl;
+  }
+  ASSERT_TRUE(found.airways.found);
+  ASSERT_TRUE(found.names.carina);
+  const Vec3 carina = sample.central[0].distal;
+  EXPECT_LE((*found.names.carina - carina).norm(), std::max(5.0, 1.5 * options.thickMm))
+      << "found at " << found.names.carina->transpose() << ", is at " << carina.transpose();
+  EXPECT_TRUE(found.names.rightMain);
+  EXPECT_TRUE(found.names.leftMain);
+  EXPECT_LE(found.airways.largestStepMl, 5.0);
+  EXPECT_TRUE(found.separated);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    , SegmentSample,
+    testing::Values(with("Seed1", [](auto& o) { o.seed = 1; }),
+                    with("Seed2", [](auto& o) { o.seed = 2; }),
+                    with("Seed3", [](auto& o) { o.seed = 3; }),
+                    with("Seed4", [](auto& o) { o.seed = 4; }),
+                    with("Seed5", [](auto& o) { o.seed = 5; }),
+                    with("Tilted", [](auto& o) { o.tiltDeg = 12.0; }),
+                    with("Thin", [](auto& o) { o.thickMm = 1.25; }),
+                    with("Thick5", [](auto& o) { o.thickMm = 5.0; }),
+                    with("Thick8", [](auto& o) { o.thickMm = 8.0; }),
+                    with("Noisy", [](auto& o) { o.noiseHu = 60.0; }),
+                    with("NoNoise", [](auto& o) { o.noiseHu = 0.0; }),
+                    with("Touching4", [](auto& o) { o.touchingLungsMm = 4.0; }),
+                    with("Touching12", [](auto& o) { o.touchingLungsMm = 12.0; }),
+                    with("StomachGas", [](auto& o) { o.stomachGas = true; })),
+    [](const auto& test) { return test.param.name; });
+
+TEST(SegmentedSample, TakesTheGasOfTheStomachOutAndSaysSo) {
+  SampleCtOptions options = usual();
+  options.stomachGas = true;
+  const SampleCt sample = sampleCt(chest(), options);
+  EXPECT_GT(segmentLungs(sample.image).gasRemovedMl, 20.0);
+  LungOptions keep;
+  keep.gas = GasPockets::Keep;
+  EXPECT_EQ(segmentLungs(sample.image, keep).gasRemovedMl, 0.0);
+}
+
+TEST(SegmentedSample, FlagsACollapsedLung) {
+  SampleCtOptions options = usual();
+  options.collapsed = true;
+  const LungSegmentation found = segmentLungs(sampleCt(chest(), options).image);
+  EXPECT_TRUE(failed(found, "LUNG-L-DENSE") || failed(found, "LUNG-L-VOLUME") ||
+              failed(found, "LUNG-RATIO"));
+  EXPECT_FALSE(failed(segmentLungs(sampleCt(chest(), usual()).image), "LUNG"));
+}
+
+TEST(SegmentedSample, WarnsOfSwappedSidesAndChangesNothing) {
+  SampleCtOptions options = usual();
+  options.mirror = true;
+  const SampleCt sample = sampleCt(chest(), options);
+  const LungSegmentation found = segmentLungs(sample.image);
+  EXPECT_TRUE(failed(found, "HANDEDNESS")) << found.hands.votes();
+  EXPECT_GE(agreement(sample.truth, found.labels, 10).dice, 0.985);
+  EXPECT_FALSE(failed(segmentLungs(sampleCt(chest(), usual()).image), "HANDEDNESS"));
+}
+
+TEST(SegmentedSample, IsTheSameForAnyOrderOfTheAxesAndAnyNumberOfThreads) {
+  SampleCtOptions options = usual();
+  options.spacingMm = 2.0;
+  options.thickMm = 4.0;
+  const CtImage image = sampleCt(chest(), options).image;
+  const LungSegmentation found = segmentLungs(image);
+  const AxisOrder order{{2, 0, 1}, {true, false, true}};
+  const LungSegmentation other = segmentLungs(turned(image, order));
+  EXPECT_EQ(turned(other.labels, inverse(order)).voxels, found.labels.voxels);
+  const ThreadLimit one(1);
+  EXPECT_EQ(segmentLungs(image).labels.voxels, found.labels.voxels);
+}
+
+TEST(SegmentLungs, RefusesWhatHoldsNoLungs) {
+  CtImage water;
+  water.geometry.size = {64, 64, 32};
+  water.geometry.spacing = {4.0, 4.0, 5.0};
+  water.voxels.assign(water.geometry.voxelCount(), 0);
+  EXPECT_THROW(segmentLungs(water), InvalidInput);
+}
+
+}  // namespace
+}  // namespace pneuma
