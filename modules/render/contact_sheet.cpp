@@ -3,51 +3,18 @@
 #include <cmath>
 #include <sstream>
 
-#include <vtkImageData.h>
-#include <vtkNew.h>
-#include <vtkStdString.h>
-#include <vtkTextProperty.h>
-#include <vtkTextRenderer.h>
-
 #include "core/error.h"
 #include "render/colour.h"
-#include "render/font.h"
+#include "render/drawing.h"
 #include "render/overlay.h"
 #include "render/picture.h"
 
 namespace pneuma {
 namespace {
 
-constexpr int LogicalDpi = 72;
 constexpr int SmallestFont = 9;
 constexpr double SmallestShare = 0.65;  // of the largest font, before lines are cut
 constexpr double LineHeight = 1.4;      // in font heights
-
-Rgb pixel(const Picture& picture, int x, int y) {
-  const std::size_t at = (static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) +
-                          static_cast<std::size_t>(x)) *
-                         3;
-  return {picture.rgb[at] / 255.0, picture.rgb[at + 1] / 255.0, picture.rgb[at + 2] / 255.0};
-}
-
-void setPixel(Picture& picture, int x, int y, const Rgb& colour) {
-  if (x < 0 || y < 0 || x >= picture.width || y >= picture.height) return;
-  const std::size_t at = (static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) +
-                          static_cast<std::size_t>(x)) *
-                         3;
-  const std::array<double, 3> channels = {colour.r, colour.g, colour.b};
-  for (std::size_t channel = 0; channel < 3; ++channel) {
-    picture.rgb[at + channel] = static_cast<std::uint8_t>(std::lround(channels[channel] * 255.0));
-  }
-}
-
-void put(const Picture& picture, int left, int top, Picture& sheet) {
-  for (int y = 0; y < picture.height; ++y) {
-    for (int x = 0; x < picture.width; ++x) {
-      setPixel(sheet, left + x, top + y, pixel(picture, x, y));
-    }
-  }
-}
 
 void requireOneSize(const std::vector<Picture>& pictures, const Picture& legend) {
   if (pictures.empty()) throw InvalidInput("a contact sheet needs a picture or more");
@@ -59,31 +26,6 @@ void requireOneSize(const std::vector<Picture>& pictures, const Picture& legend)
   }
   if (legend.width > 0 && legend.height != first.height) {
     throw InvalidInput("the legend of a contact sheet must be as high as its pictures");
-  }
-}
-
-/// Writes a line of text, centred on `centreX` with its baseline region round `centreY`.
-void drawText(Picture& picture, const std::string& text, int centreX, int centreY, int fontPixels,
-              const Rgb& ink) {
-  vtkTextRenderer* renderer = vtkTextRenderer::GetInstance();
-  if (renderer == nullptr || text.empty()) return;
-  vtkNew<vtkTextProperty> property;
-  setFont(property, fontPixels);
-  property->SetColor(ink.r, ink.g, ink.b);
-  vtkNew<vtkImageData> image;
-  std::array<int, 2> size{};
-  if (!renderer->RenderString(property, text, image, size.data(), LogicalDpi)) return;
-  for (int y = 0; y < size[1]; ++y) {
-    for (int x = 0; x < size[0]; ++x) {
-      const auto* rgba = static_cast<const std::uint8_t*>(image->GetScalarPointer(x, y, 0));
-      const int column = centreX - size[0] / 2 + x;
-      const int row = centreY + size[1] / 2 - y;
-      if (rgba[3] == 0 || column < 0 || row < 0 || column >= picture.width ||
-          row >= picture.height) {
-        continue;
-      }
-      setPixel(picture, column, row, mixed(pixel(picture, column, row), ink, rgba[3] / 255.0));
-    }
   }
 }
 
@@ -173,8 +115,10 @@ Picture contactSheet(const std::vector<Picture>& pictures, int columns,
     const std::size_t index = static_cast<std::size_t>(i);
     put(pictures[index], left, top, sheet);
     for (std::size_t line = 0; line < texts[index].size(); ++line) {
-      drawText(sheet, shortened(texts[index][line], room, font), left + width / 2,
-               top + height + font + lineTop(line), font, ink);
+      const TextPlace place{left + 0.5 * width,
+                            static_cast<double>(top + height + font + lineTop(line)), Align::Middle,
+                            Align::Middle};
+      drawText(sheet, shortened(texts[index][line], room, font), place, font, ink);
     }
   }
   for (int row = 0; row < rows; ++row) put(legend, across * width, row * cell, sheet);

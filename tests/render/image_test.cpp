@@ -1,18 +1,14 @@
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <ostream>
 #include <string>
 
 #include <gtest/gtest.h>
 
+#include "render/baseline.h"
 #include "render/generated_lungs.h"
 #include "render/picture.h"
 
 namespace pneuma {
 namespace {
-
-constexpr double Threshold = 0.03;
 
 struct ImageCase {
   std::string name;
@@ -21,11 +17,6 @@ struct ImageCase {
 };
 
 void PrintTo(const ImageCase& image, std::ostream* out) { *out << image.name; }
-
-void write(const std::filesystem::path& path, const Picture& picture) {
-  std::filesystem::create_directories(path.parent_path());
-  std::ofstream(path, std::ios::binary) << pngText(picture);
-}
 
 class Image : public testing::TestWithParam<ImageCase> {};
 
@@ -37,18 +28,7 @@ TEST_P(Image, LooksLikeItsBaseline) {
   scene.setOptions(image.options);
   scene.look(viewDirection(image.view));
   const Picture picture = renderPicture(scene, 480, 360);
-  const std::filesystem::path baseline =
-      std::filesystem::path(PNEUMA_BASELINES) / (image.name + ".png");
-  if (std::getenv("PNEUMA_UPDATE_BASELINES") != nullptr) write(baseline, picture);
-  const PictureDifference difference = compare(picture, readPng(baseline));
-  EXPECT_LT(difference.error, Threshold);
-  if (difference.error >= Threshold) {
-    const std::filesystem::path folder(PNEUMA_IMAGE_OUTPUT);
-    write(folder / (image.name + ".actual.png"), picture);
-    write(folder / (image.name + ".diff.png"), difference.difference);
-    ADD_FAILURE() << "see " << folder / image.name << ".actual.png and .diff.png; if it is right, "
-                  << "run again with PNEUMA_UPDATE_BASELINES=1";
-  }
+  test::expectLikeBaseline(picture, image.name);
 }
 
 INSTANTIATE_TEST_SUITE_P(
