@@ -45,19 +45,22 @@ Rgb lobeColour(Lobe lobe, Palette palette) {
   }
   switch (lobe) {
     case Lobe::RightUpper:
-    case Lobe::RightLung:
       return rgbOfHex(0x66c2f0);
     case Lobe::RightMiddle:
       return rgbOfHex(0xfacc6b);
     case Lobe::RightLower:
       return rgbOfHex(0x73d49e);
     case Lobe::LeftUpper:
-    case Lobe::LeftLung:
       return rgbOfHex(0xe68c9e);
     case Lobe::LeftLower:
       return rgbOfHex(0xad99eb);
     case Lobe::Central:
       return Ivory;
+    // Whole lungs, before they are split: none of the lobes' colours, dark right and light left.
+    case Lobe::RightLung:
+      return rgbOfHex(0x3d8fe0);
+    case Lobe::LeftLung:
+      return rgbOfHex(0xffb385);
     case Lobe::Whole:
       break;
   }

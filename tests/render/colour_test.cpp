@@ -71,6 +71,17 @@ TEST(ColourMap, LobesAreToldApartAlsoByTheColourBlind) {
   }
 }
 
+TEST(ColourMap, LungsAreToldApartByLightnessAloneAndFromTheirLobes) {
+  const Rgb right = lobeColour(Lobe::RightLung, Palette::Pneuma);
+  const Rgb left = lobeColour(Lobe::LeftLung, Palette::Pneuma);
+  EXPECT_GT(labOf(left).l - labOf(right).l, 20.0);
+  EXPECT_GT(labOf(asDeuteranope(left)).l - labOf(asDeuteranope(right)).l, 20.0);
+  for (const Lobe lobe : FiveLobes) {
+    EXPECT_GT(distance(lobeColour(lobe, Palette::Pneuma), right), 15.0) << shortName(lobe);
+    EXPECT_GT(distance(lobeColour(lobe, Palette::Pneuma), left), 15.0) << shortName(lobe);
+  }
+}
+
 TEST(ColourMap, HuangPaletteIsRedGreenBlueFromAbove) {
   const Rgb upper = lobeColour(Lobe::LeftUpper, Palette::Huang);
   const Rgb middle = lobeColour(Lobe::RightMiddle, Palette::Huang);
