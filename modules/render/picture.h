@@ -38,6 +38,10 @@ std::string pngText(const Picture& picture);
 Picture contactSheet(const std::vector<Picture>& pictures, int columns,
                      const std::vector<std::string>& captions, const Picture& legend = {});
 
+/// Pictures of one size in rows of `columns`, a thin line between them; places left over are black.
+/// @throws InvalidInput if there is none, or they differ in size
+Picture tiled(const std::vector<Picture>& pictures, int columns);
+
 /// How different two pictures look: 0 equal, 1 nothing in common; from 0.03 on they count as
 /// different. Both are taken to CIE Lab and smoothed by one pixel against grain. Where either shows
 /// something, the error is the largest of
