@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # From nothing to pictures: installs what is missing, builds the command line, makes a synthetic
-# chest, grows airway trees of 30,000 terminals in its five lobes, measures and draws them, and grows
-# the thorax of Kitaoka 1999.
+# chest, grows airway trees of 30,000 terminals in its five lobes, measures and draws them, goes from
+# the chest's CT to a tree by one command, and grows the thorax of Kitaoka 1999.
 #   packaging/demo.sh [OUTDIR]        (default: demo-output)
 # Where ../shared/data/lobes_airways_chaste stands beside the project, the same is done in the lobes
 # and airways of a real person.
@@ -57,6 +57,12 @@ step "A synthetic chest"
 "$pneuma" sample "$out/sample" --force
 grow_and_draw "$out/synthetic" "$out/sample" "$out/sample/central.vtp"
 
+step "From a CT to a grown tree"
+"$pneuma" sample "$out/ct" --ct --spacing 1 --force
+"$pneuma" run --ct "$out/ct/dicom" -o "$out/case"
+draw "$out/case/slices-and-tree.png" "$out/ct/ct.nii.gz" "$out/case/right.vtp" \
+  "$out/case/left.vtp" "$out/case/tree.vtp" --labels "$out/case/labels.nii.gz"
+
 step "The thorax of Kitaoka 1999"
 mkdir -p "$out/thorax"
 "$pneuma" grow --organ thorax --force -o "$out/thorax/tree.vtp" --report "$out/thorax/report.json"
@@ -69,6 +75,14 @@ real=../shared/data/lobes_airways_chaste
 if [[ -d $real ]]; then
   step "A real lung"
   grow_and_draw "$out/real" "$real" "$real/TestSubject002MajorAirways.vtu"
+fi
+
+real=../shared/data/ct_lung_dx_a0001_dicom/series
+if [[ -d $real ]]; then
+  step "A real CT"
+  "$pneuma" run --ct "$real" -o "$out/real-ct"
+  draw "$out/real-ct/slices-and-tree.png" "$real" "$out/real-ct/right.vtp" "$out/real-ct/left.vtp" \
+    "$out/real-ct/tree.vtp" --labels "$out/real-ct/labels.nii.gz"
 fi
 
 step "Where things are"

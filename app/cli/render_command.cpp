@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <iostream>
 #include <memory>
 
@@ -5,7 +6,10 @@
 #include "cli/files.h"
 #include "cli/model_scene.h"
 #include "cli/picture_arguments.h"
+#include "cli/slice_arguments.h"
+#include "cli/slice_sheet.h"
 #include "cli/text.h"
+#include "io/ct_file.h"
 #include "render/picture.h"
 
 namespace pneuma::cli {
@@ -14,6 +18,8 @@ namespace {
 struct RenderArguments : PictureArguments {
   std::vector<std::filesystem::path> inputs;
   std::vector<std::string> hidden;
+  SliceArguments slices;
+  CLI::Option* opacityOption = nullptr;
   bool noAnnotations = false;
   std::filesystem::path reference;
   std::filesystem::path difference;
@@ -37,6 +43,10 @@ std::vector<Lobe> hiddenLobes(const std::vector<std::string>& names) {
   return lobes;
 }
 
+bool drawsSlices(const RenderArguments& arguments) {
+  return arguments.slices.any() || std::ranges::any_of(arguments.inputs, isCtPath);
+}
+
 void requireUsable(const RenderArguments& arguments, const CommonOptions& common) {
   if (!arguments.difference.empty() && arguments.reference.empty()) {
     throw InvalidOption("--diff needs --reference, the picture to compare with");
@@ -44,24 +54,62 @@ void requireUsable(const RenderArguments& arguments, const CommonOptions& common
   requirePngOutput(common.output, common.existing());
   if (!arguments.difference.empty()) requirePngOutput(arguments.difference, common.existing());
   if (!arguments.reference.empty()) (void)readPng(arguments.reference);
-  requireDisplay();
+  if (!drawsSlices(arguments)) requireDisplay();
 }
 
-ExitCode runRender(const RenderArguments& arguments, const CommonOptions& common,
-                   const Progress& progress) {
+Picture scenePicture(const RenderArguments& arguments, const LungModel& model,
+                     const PictureSize& size) {
   const ViewDirection view = viewDirection(arguments.view);
   const std::vector<Lobe> hidden = hiddenLobes(arguments.hidden);
-  requireUsable(arguments, common);
-  const LungModel model = openFiles(arguments.inputs, progress.part(0.0, 0.5, "reading"));
-
   Scene scene;
   SceneOptions options = sceneOptions(arguments);
   options.annotations = !arguments.noAnnotations;
   scene.setOptions(options);
   showModel(scene, model, hidden);
   scene.look(view);
-  progress.part(0.5, 1.0, "rendering").report(0.0);
-  const Picture picture = renderPicture(scene, arguments.size.width, arguments.size.height);
+  return renderPicture(scene, size.width, size.height);
+}
+
+Picture slicesPicture(const RenderArguments& arguments, const LungModel& model) {
+  const SliceArguments& slices = arguments.slices;
+  SliceLook look;
+  look.window = greyWindow(slices.window);
+  if (slices.outline) look.labels = LabelStyle::Outlined;
+  if (arguments.opacityOption->count() > 0) look.opacity = arguments.opacity;
+  look.annotations = !arguments.noAnnotations;
+  std::vector<Vec3> markers;
+  for (const std::string& marker : slices.markers) markers.push_back(markerPoint(marker));
+  ScenePicture scene;
+  if (wantsScene(slices.slices) && (model.surfaces || treeOf(model))) {
+    requireDisplay();
+    scene = [&](const PictureSize& size) { return scenePicture(arguments, model, size); };
+  }
+  return sliceSheet(model, wantedSlices(slices.slices), markers, look, arguments.size, scene);
+}
+
+/// Complains of what is typed wrong before anything is read.
+void requireSpelled(const RenderArguments& arguments) {
+  (void)viewDirection(arguments.view);
+  (void)hiddenLobes(arguments.hidden);
+  (void)greyWindow(arguments.slices.window);
+  (void)wantedSlices(arguments.slices.slices);
+  for (const std::string& marker : arguments.slices.markers) (void)markerPoint(marker);
+}
+
+ExitCode runRender(const RenderArguments& arguments, const CommonOptions& common,
+                   const Progress& progress) {
+  requireSpelled(arguments);
+  requireUsable(arguments, common);
+  LungModel model = openFiles(arguments.inputs, progress.part(0.0, 0.5, "reading"));
+  if (!model.ct && arguments.slices.any()) {
+    throw InvalidInput("slices, labels and marks need a CT, and none of the inputs is one");
+  }
+  if (!arguments.slices.labels.empty()) {
+    model = withLabels(model, arguments.slices.labels, progress.part(0.5, 0.7, "reading labels"));
+  }
+  progress.part(0.7, 1.0, "rendering").report(0.0);
+  const Picture picture =
+      model.ct ? slicesPicture(arguments, model) : scenePicture(arguments, model, arguments.size);
   progress.report(1.0);
 
   OutputSet outputs;
@@ -93,10 +141,14 @@ ExitCode runRender(const RenderArguments& arguments, const CommonOptions& common
 
 Run declareRender(CLI::App& app, CommonOptions& common) {
   const auto arguments = std::make_shared<RenderArguments>();
-  addFiles(app, "INPUTS", arguments->inputs, "Surfaces, trees and folders of them, mixed.")
+  addFiles(app, "INPUTS", arguments->inputs,
+           "Surfaces, trees and folders of them, mixed; or a CT, of which "
+           "slices are drawn.")
       ->required();
   addOutput(app, common, "FILE", "Where the picture goes: .png.")->required();
   addPictureArguments(app, *arguments, "Width and height in pixels.");
+  arguments->opacityOption = app.get_option("--opacity");
+  addSliceArguments(app, arguments->slices);
   addRepeatable(app, "--hide", arguments->hidden, "{RUL|RML|RLL|LUL|LLL}",
                 "Leave out this lobe's surface. May be repeated.");
   app.add_flag("--no-annotations", arguments->noAnnotations,

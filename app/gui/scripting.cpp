@@ -18,11 +18,13 @@
 #include <QMouseEvent>
 #include <QScreen>
 #include <QTimer>
+#include <QWheelEvent>
 #include <utility>
 #include <vector>
 
 #include "widgets/main_window.h"
 #include "widgets/scene_view.h"
+#include "widgets/slice_view.h"
 
 namespace pneuma {
 
@@ -37,6 +39,21 @@ void spin(double seconds) {
   QEventLoop loop;
   QTimer::singleShot(static_cast<int>(1000.0 * seconds), &loop, &QEventLoop::quit);
   loop.exec();
+}
+
+void clickAt(QWidget& target, const QPoint& at) {
+  const QPoint global = target.mapToGlobal(at);
+  QMouseEvent down(QEvent::MouseButtonPress, at, global, Qt::LeftButton, Qt::LeftButton,
+                   Qt::NoModifier);
+  QMouseEvent up(QEvent::MouseButtonRelease, at, global, Qt::LeftButton, Qt::NoButton,
+                 Qt::NoModifier);
+  for (QMouseEvent* event : {&down, &up}) QApplication::sendEvent(&target, event);
+}
+
+void pointAt(QWidget& target, const QPoint& at) {
+  QMouseEvent move(QEvent::MouseMove, at, target.mapToGlobal(at), Qt::NoButton, Qt::NoButton,
+                   Qt::NoModifier);
+  QApplication::sendEvent(&target, &move);
 }
 
 }  // namespace
@@ -97,6 +114,10 @@ void ScriptPlayer::perform(const QJsonObject& step) {
     spin(seconds);
   } else if (what == QLatin1String("click-branch")) {
     clickBranch(step[QStringLiteral("index")].toInt());
+  } else if (what == QLatin1String("click-point")) {
+    clickPoint(step);
+  } else if (what == QLatin1String("wheel")) {
+    turnWheel(name, step[QStringLiteral("notches")].toInt());
   } else if (what == QLatin1String("resize")) {
     window_.resize(step[QStringLiteral("width")].toInt(), step[QStringLiteral("height")].toInt());
   } else if (what == QLatin1String("screenshot")) {
@@ -193,13 +214,25 @@ void ScriptPlayer::clickBranch(int index) const {
   const Branch& branch = (*tree)[static_cast<std::size_t>(index)];
   SceneView& view = window_.view();
   const QPoint at = view.positionOf(0.5 * (branch.proximal + branch.distal));
-  const QPoint global = view.canvas()->mapToGlobal(at);
-  QMouseEvent down(QEvent::MouseButtonPress, at, global, Qt::LeftButton, Qt::LeftButton,
-                   Qt::NoModifier);
-  QMouseEvent up(QEvent::MouseButtonRelease, at, global, Qt::LeftButton, Qt::NoButton,
-                 Qt::NoModifier);
-  QApplication::sendEvent(view.canvas(), &down);
-  QApplication::sendEvent(view.canvas(), &up);
+  clickAt(*view.canvas(), at);
+}
+
+void ScriptPlayer::clickPoint(const QJsonObject& step) const {
+  auto* view = qobject_cast<SliceView*>(widget(step[QStringLiteral("name")].toString()));
+  const QJsonArray point = step[QStringLiteral("point")].toArray();
+  if (view == nullptr || window_.slices().empty()) fail(QStringLiteral("there is no slice"));
+  const QPoint at =
+      view->positionOf(Vec3(point[0].toDouble(), point[1].toDouble(), point[2].toDouble()));
+  pointAt(*view, at);
+  clickAt(*view, at);
+}
+
+void ScriptPlayer::turnWheel(const QString& name, int notches) const {
+  QWidget* target = widget(name);
+  const QPoint at = target->rect().center();
+  QWheelEvent event(at, target->mapToGlobal(at), {}, QPoint(0, 120 * notches), Qt::NoButton,
+                    Qt::NoModifier, Qt::NoScrollPhase, false);
+  QApplication::sendEvent(target, &event);
 }
 
 void ScriptPlayer::screenshot(const QString& name) const {
@@ -223,6 +256,13 @@ QVariant ScriptPlayer::observed(const QJsonObject& step) const {
   if (state == QLatin1String("branches")) return static_cast<int>(tree ? tree->size() : 0);
   if (state == QLatin1String("grown")) {
     return static_cast<int>(tree ? document.snapshot().figures->grown : 0);
+  }
+  if (state == QLatin1String("lungs")) {
+    const auto& lungs = document.model().lungs;
+    return lungs ? lungs->right.volumeMl + lungs->left.volumeMl : 0.0;
+  }
+  if (state == QLatin1String("axial")) {
+    return window_.slices().empty() ? -1 : window_.slices().slice(SlicePlane::Axial);
   }
   if (state == QLatin1String("busy")) return document.jobs().busy();
   if (state == QLatin1String("previewed")) return static_cast<int>(window_.view().previewed());

@@ -11,6 +11,8 @@
 #include "io/atomic_file.h"
 #include "io/surface_file.h"
 #include "io/tree_file.h"
+#include "io/volume_file.h"
+#include "pipeline/ct_model.h"
 
 namespace pneuma {
 namespace {
@@ -117,7 +119,36 @@ std::shared_ptr<const AirwayTree> asCentral(AirwayTree tree) {
   return std::make_shared<const AirwayTree>(std::move(tree));
 }
 
+/// Radiodensities need more than a byte, labels do not.
+bool isLabelFile(const fs::path& path) {
+  return isVolumeFile(path) && readVolumeHeader(path).scalarType == "uint8";
+}
+
+void addCt(LungModel& model, const fs::path& path, const Progress& progress) {
+  const auto start = std::chrono::steady_clock::now();
+  const LungModel read = openCt(path, {}, progress);
+  model.ct = read.ct;
+  model.inputs.insert(model.inputs.end(), read.inputs.begin(), read.inputs.end());
+  model.warnings.insert(model.warnings.end(), read.warnings.begin(), read.warnings.end());
+  model.readSeconds += secondsSince(start);
+}
+
+void addLabels(LungModel& model, const fs::path& path, const Progress& progress) {
+  model.labels = std::make_shared<const LabelImage>(readLabelVolume(path, progress));
+  model.lungs = nullptr;
+  requireSamePlace(model);
+  model.inputs.push_back(inputFile(path));
+}
+
 }  // namespace
+
+void requireSamePlace(const LungModel& model) {
+  if (!model.ct || !model.labels ||
+      model.labels->geometry.bounds().intersects(model.ct->geometry.bounds())) {
+    return;
+  }
+  throw InvalidInput("the labels lie elsewhere than the CT; they belong to another image");
+}
 
 std::shared_ptr<const AirwayTree> treeOf(const LungModel& model) {
   if (model.growth) {
@@ -190,11 +221,21 @@ LungModel withCentral(const LungModel& model, const fs::path& path) {
   return next;
 }
 
+LungModel withLabels(const LungModel& model, const fs::path& path, const Progress& progress) {
+  LungModel next = model;
+  addLabels(next, path, progress);
+  return next;
+}
+
 LungModel openFiles(std::span<const fs::path> paths, const Progress& progress) {
   std::vector<fs::path> surfaces;
   std::vector<fs::path> trees;
+  std::vector<fs::path> cts;
+  std::vector<fs::path> labels;
   for (const fs::path& path : paths) {
-    if (fs::is_directory(path)) {
+    if (isCtPath(path)) {
+      (isLabelFile(path) ? labels : cts).push_back(path);
+    } else if (fs::is_directory(path)) {
       surfaces.push_back(path);
       std::error_code error;
       for (const auto& entry : fs::directory_iterator(path, error)) {
@@ -208,8 +249,17 @@ LungModel openFiles(std::span<const fs::path> paths, const Progress& progress) {
       surfaces.push_back(path);
     }
   }
+  for (const auto& volumes : {cts, labels}) {
+    if (volumes.size() < 2) continue;
+    throw InvalidInput(quoted(volumes[0]) + " and " + quoted(volumes[1]) +
+                       " are two images of one kind; open one at a time");
+  }
   LungModel model;
-  if (!surfaces.empty()) model = openLobes(surfaces, progress.part(0.0, 0.9, "reading surfaces"));
+  if (!surfaces.empty()) model = openLobes(surfaces, progress.part(0.0, 0.5, "reading surfaces"));
+  for (const fs::path& path : cts) addCt(model, path, progress.part(0.5, 0.8, "reading the CT"));
+  for (const fs::path& path : labels) {
+    addLabels(model, path, progress.part(0.8, 0.9, "reading labels"));
+  }
   for (const fs::path& path : trees) {
     progress.throwIfStopped();
     TreeFile file = readTree(path);

@@ -70,8 +70,16 @@ LungModel openLobes(std::span<const std::filesystem::path> paths, const Progress
 /// The same with a central tree read from `path` added.
 LungModel withCentral(const LungModel& model, const std::filesystem::path& path);
 
-/// What a person drops on the window: surfaces, folders and trees in any order. Trees with grown
-/// branches become `opened`, others `central`.
+/// @throws InvalidInput if the model's labels lie elsewhere than its CT
+void requireSamePlace(const LungModel& model);
+
+/// The same with a label image of the CT read from `path`.
+/// @throws as readLabelVolume() and requireSamePlace()
+LungModel withLabels(const LungModel& model, const std::filesystem::path& path,
+                     const Progress& progress = {});
+
+/// What a person drops on the window: a CT, its labels (a volume of single bytes), surfaces,
+/// folders and trees in any order. Trees with grown branches become `opened`, others `central`.
 LungModel openFiles(std::span<const std::filesystem::path> paths, const Progress& progress = {});
 
 /// The seed of everything random in a growth.

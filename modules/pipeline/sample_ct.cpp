@@ -14,10 +14,10 @@
 namespace pneuma {
 namespace {
 
-constexpr double FieldOfViewMm = 410.0;
-constexpr double CentreY = 18.0;     // of the slices: the table is seen as well
-constexpr double LowestMm = -192.0;  // below the costophrenic recesses
-constexpr double HighestMm = 136.0;  // above the tops of the lungs
+constexpr double FieldOfViewMm = 409.6;  // 512 voxels of 0.8 mm
+constexpr double CentreY = 18.0;         // of the slices: the table is seen as well
+constexpr double LowestMm = -192.0;      // below the costophrenic recesses
+constexpr double HighestMm = 136.0;      // above the tops of the lungs
 
 ImageGeometry geometryOf(const SampleCtOptions& options) {
   ImageGeometry geometry;

@@ -38,6 +38,9 @@ std::string pngText(const Picture& picture);
 Picture contactSheet(const std::vector<Picture>& pictures, int columns,
                      const std::vector<std::string>& captions, const Picture& legend = {});
 
+/// Pixels between the pictures of tiled().
+inline constexpr int TileLine = 2;
+
 /// Pictures of one size in rows of `columns`, a thin line between them; places left over are black.
 /// @throws InvalidInput if there is none, or they differ in size
 Picture tiled(const std::vector<Picture>& pictures, int columns);

@@ -101,10 +101,12 @@ class Writing {
     const auto line = [&](double left, double top, double right, double bottom) {
       fillBox(picture_, left, top, right, bottom, CrosshairColour, CrosshairShare);
     };
-    line(0.0, y, x - gap, y + thin);
-    line(x + thin + gap, y, picture_.width, y + thin);
-    line(x, 0.0, x + thin, y - gap);
-    line(x, y + thin + gap, x + thin, picture_.height);
+    // The letters at the ends stay free.
+    const double edge = margin_ + 1.5 * font_;
+    line(edge, y, x - gap, y + thin);
+    line(x + thin + gap, y, picture_.width - edge, y + thin);
+    line(x, edge, x + thin, y - gap);
+    line(x, y + thin + gap, x + thin, picture_.height - edge);
   }
 
   void marker(const PicturePoint& at) {

@@ -7,6 +7,7 @@
 #include "core/parallel.h"
 #include "render/colour_map.h"
 #include "render/slice_annotations.h"
+#include "render/slice_highlight.h"
 #include "render/tube_mesh.h"
 
 namespace pneuma {
@@ -106,7 +107,9 @@ int samplesPerSide(const VoxelSteps& steps) {
 void drawCt(const CtImage& ct, const SliceFrame& frame, const SliceLook& look, Picture& picture) {
   const VoxelSteps steps(ct.geometry, frame);
   const int samples = samplesPerSide(steps);
-  const Bytes highlight = bytesOf(HighlightColour);
+  const Bytes highlightColour = bytesOf(HighlightColour);
+  std::optional<SliceHighlight> highlight;
+  if (look.highlight) highlight.emplace(ct, frame, *look.highlight);
   const std::size_t width = static_cast<std::size_t>(picture.width);
   parallelFor(static_cast<std::size_t>(picture.height), [&](std::size_t y) {
     std::uint8_t* pixel = picture.rgb.data() + y * width * 3;
@@ -124,8 +127,9 @@ void drawCt(const CtImage& ct, const SliceFrame& frame, const SliceLook& look, P
       if (count == 0) continue;
       const double hu = sum / count;
       std::fill_n(pixel, 3, look.window.grey(hu));
-      if (look.highlight && hu >= look.highlight->low && hu <= look.highlight->high) {
-        mix(pixel, highlight, HighlightOpacity);
+      if (highlight && highlight->contains(frame.pointAt(
+                           {static_cast<double>(x) + 0.5, static_cast<double>(y) + 0.5}))) {
+        mix(pixel, highlightColour, HighlightOpacity);
       }
     }
   });
@@ -174,7 +178,7 @@ void drawLabels(const LabelImage& labels, const SliceFrame& frame, const SliceLo
       if (label == 0) continue;
       if (isEdge(x, y, label)) {
         mix(pixel, colours[label], EdgeOpacity);
-      } else if (look.labels == LabelStyle::Filled) {
+      } else if (look.labels == LabelStyle::Filled && !look.highlight) {
         mix(pixel, colours[label], look.opacity);
       }
     }

@@ -34,7 +34,7 @@ struct SliceLook {
   GreyWindow window{};
   LabelStyle labels = LabelStyle::Filled;
   double opacity = 0.35;              ///< of the labels' inside
-  std::optional<HuBand> highlight{};  ///< voxels to colour, for choosing a threshold
+  std::optional<HuBand> highlight{};  ///< coloured inside the patient, in place of filled labels
   bool annotations = true;            ///< title, letters, scale bar, window
   double pixelRatio = 1.0;            ///< pixels to a logical pixel: how large letters are
 

@@ -20,15 +20,15 @@ Picture tiled(const std::vector<Picture>& pictures, int columns) {
   const int count = static_cast<int>(pictures.size());
   const int across = std::min(columns, count);
   const int rows = (count + across - 1) / across;
-  const int line = std::max(1, std::min(width, height) / 250);
-  Picture sheet = blank(across * (width + line) - line, rows * (height + line) - line, LineColour);
+  Picture sheet = blank(across * (width + TileLine) - TileLine,
+                        rows * (height + TileLine) - TileLine, LineColour);
   const Picture empty = blank(width, height, {});
   for (int i = 0; i < across * rows; ++i) {
     const Picture& tile = i < count ? pictures[static_cast<std::size_t>(i)] : empty;
     if (tile.width != width || tile.height != height) {
       throw InvalidInput("the pictures of a sheet must have one size");
     }
-    put(tile, i % across * (width + line), i / across * (height + line), sheet);
+    put(tile, i % across * (width + TileLine), i / across * (height + TileLine), sheet);
   }
   return sheet;
 }

@@ -29,7 +29,7 @@ bool areLungs(const VoxelComponents& parts, const std::vector<std::size_t>& orde
 }  // namespace
 
 void floodByDistance(const VoxelBox& box, const std::vector<float>& distance2,
-                     std::vector<std::uint8_t>& marks) {
+                     std::vector<std::uint8_t>& marks, const Progress& progress) {
   const auto [width, height, depth] = box.size;
   const auto row = static_cast<std::size_t>(width);
   const std::size_t slice = row * static_cast<std::size_t>(height);
@@ -45,24 +45,30 @@ void floodByDistance(const VoxelBox& box, const std::vector<float>& distance2,
     marks[v] = marks[from];
     buckets[std::min(bucketOf(v), current)].push_back(static_cast<std::uint32_t>(v));
   };
-  const auto offerNeighbours = [&](std::size_t v) {
-    const std::size_t inSlice = v % slice;
-    const std::size_t i = inSlice % row;
-    const std::size_t j = inSlice / row;
-    const std::size_t k = v / slice;
+  // 32 bits: divisions are half of the time here.
+  const auto row32 = static_cast<std::uint32_t>(row);
+  const auto slice32 = static_cast<std::uint32_t>(slice);
+  const auto offerNeighbours = [&](std::uint32_t v) {
+    const std::uint32_t k = v / slice32;
+    const std::uint32_t inSlice = v - k * slice32;
+    const std::uint32_t j = inSlice / row32;
+    const std::uint32_t i = inSlice - j * row32;
     if (i > 0) offer(v, v - 1);
-    if (i + 1 < row) offer(v, v + 1);
-    if (j > 0) offer(v, v - row);
-    if (j + 1 < static_cast<std::size_t>(height)) offer(v, v + row);
-    if (k > 0) offer(v, v - slice);
-    if (k + 1 < static_cast<std::size_t>(depth)) offer(v, v + slice);
+    if (i + 1 < row32) offer(v, v + 1);
+    if (j > 0) offer(v, v - row32);
+    if (j + 1 < static_cast<std::uint32_t>(height)) offer(v, v + row32);
+    if (k > 0) offer(v, v - slice32);
+    if (k + 1 < static_cast<std::uint32_t>(depth)) offer(v, v + slice32);
   };
   const std::size_t count = box.voxelCount();
   std::vector<std::uint32_t> markers;
   for (std::size_t v = 0; v < count; ++v) {
     if (marks[v] != 0) markers.push_back(static_cast<std::uint32_t>(v));
   }
-  for (const std::uint32_t v : markers) offerNeighbours(v);
+  for (std::size_t n = 0; n < markers.size(); ++n) {
+    if (n % (1U << 20) == 0) progress.throwIfStopped();
+    offerNeighbours(markers[n]);
+  }
   while (true) {
     auto& bucket = buckets[current];
     for (std::size_t n = 0; n < bucket.size(); ++n) {
@@ -70,6 +76,7 @@ void floodByDistance(const VoxelBox& box, const std::vector<float>& distance2,
       offerNeighbours(v);
     }
     bucket = {};
+    progress.throwIfStopped();
     if (current == 0) break;
     --current;
   }
@@ -103,7 +110,7 @@ Separation separateLungs(const VoxelBox& box, const Vec3& spacing, double middle
                   right ? std::uint8_t{1} : std::uint8_t{2});
       }
     }
-    floodByDistance(box, distance2, set);
+    floodByDistance(box, distance2, set, progress);
     progress.report(1.0);
     return {true, radius};
   }

@@ -15,7 +15,7 @@ namespace pneuma {
 /// @param distance2 square of the distance to the outside, 0 outside the set; of the box
 /// @param marks one byte a voxel of the box: nonzero where a marker stands; filled in on return
 void floodByDistance(const VoxelBox& box, const std::vector<float>& distance2,
-                     std::vector<std::uint8_t>& marks);
+                     std::vector<std::uint8_t>& marks, const Progress& progress = {});
 
 /// How the two lungs were told apart.
 struct Separation {

@@ -93,5 +93,26 @@ TEST(PropertySheet, TheTreeSaysHowManyBranchesLeaveTheirLobe) {
   EXPECT_EQ(warningsOf(snapshot).size(), 1U);
 }
 
+TEST(PropertySheet, FoundLungsSayTheirVolumesAndWhatToLookAt) {
+  LungSegmentation lungs;
+  lungs.right.volumeMl = 1966.4;
+  lungs.left.volumeMl = 1745.2;
+  lungs.checks = {
+      {"LUNG-RATIO", "right lung to left", 1.13, 0.8, 1.6, "", "look"},
+      {"LUNG-L-BORDER", "surface of the left lung at the border", 12.34, 0.0, 2.0, "cm2", "look"}};
+  LungModel model;
+  EXPECT_TRUE(foundLungsSheet(snapshotOf(model, {})).rows.empty());
+  model.lungs = std::make_shared<const LungSegmentation>(lungs);
+  const Snapshot snapshot = snapshotOf(model, {});
+  const PropertySheet sheet = foundLungsSheet(snapshot);
+  EXPECT_EQ(sheet.headline, "3,712 mL");
+  EXPECT_EQ(valueOf(sheet, "Right lung"), "1,966 mL");
+  EXPECT_EQ(valueOf(sheet, "Right to left"), "1.13");
+  EXPECT_EQ(valueOf(sheet, "Airways"), "not found");
+  EXPECT_EQ(valueOf(sheet, "Surface of the left lung at the border"), "12.3 cm²");
+  EXPECT_EQ(sheet.rows.back().label, "1 of 2 checks passed");
+  EXPECT_EQ(sheet.rows.back().kind, PropertyRow::Kind::Look);
+}
+
 }  // namespace
 }  // namespace pneuma

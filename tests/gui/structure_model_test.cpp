@@ -37,6 +37,16 @@ TEST(StructureModel, ListsRightBeforeLeftWithVolumes) {
   EXPECT_EQ(model.structure(5).value, "3 branches");
 }
 
+TEST(StructureModel, ALungThatIsNotSplitIsNamedOnce) {
+  LungModel model;
+  model.surfaces = std::make_shared<const std::vector<LobeSurface>>(std::vector{
+      testing::surfaceOf(Lobe::RightLung, 300.0), testing::surfaceOf(Lobe::LeftLung, 100.0)});
+  StructureModel structures;
+  structures.show(snapshotOf(model, {}));
+  EXPECT_EQ(namesIn(structures), QStringList({"Lungs", "Right lung", "Left lung"}));
+  EXPECT_EQ(structures.structure(1).depth, 1);
+}
+
 TEST(StructureModel, AParentsEyeShutsAndOpensItsLobes) {
   StructureModel model;
   model.show(testing::lobesAndTree());

@@ -167,8 +167,9 @@ TEST(SlicePicture, AveragesVoxelsFinerThanItsPixels) {
       if ((i + j) % 2 == 0) ct.at(i, j, 32) = -200;
     }
   }
-  const Picture picture =
-      slicePicture({.ct = &ct}, framedSlice(ct.geometry, SlicePlane::Axial, 32.0, 16, 16), Plain);
+  SliceFrame frame = framedSlice(ct.geometry, SlicePlane::Axial, 32.0, 16, 16);
+  frame.centre += Vec3(0.5, 0.5, 0.0);  // the pixels' centres are voxels' centres
+  const Picture picture = slicePicture({.ct = &ct}, frame, Plain);
   const int mean = Plain.window.grey(-600.0);
   for (int x = 1; x < 15; ++x) EXPECT_NEAR(rgbAt(picture, x, 7)[0], mean, 2) << x;
 }
@@ -215,6 +216,35 @@ TEST(SlicePicture, ColoursTheVoxelsBetweenTwoThresholds) {
   EXPECT_FALSE(coloured(7));
 }
 
+TEST(SlicePicture, OutlinesLabelsWhereAThresholdIsShown) {
+  const CtImage ct = filled(cube(30), 40);
+  LabelImage labels{cube(30), std::vector<std::uint8_t>(27000, 10)};
+  SliceLook look = Plain;
+  look.labels = LabelStyle::Filled;
+  look.highlight = HuBand{-1100.0, -400.0};
+  const SliceFrame frame = framedSlice(ct.geometry, SlicePlane::Axial, 15.0, 30, 30);
+  const std::array<int, 3> rgb = rgbAt(slicePicture({&ct, &labels, {}, {}}, frame, look), 15, 15);
+  EXPECT_EQ(rgb[0], rgb[2]);
+}
+
+TEST(SlicePicture, ColoursNoAirRoundThePatient) {
+  const test::GeneratedChest chest = test::generatedChest(test::chestGrid());
+  SliceLook look = Plain;
+  look.highlight = HuBand{-1100.0, -400.0};
+  const auto coloured = [&](const Vec3& point, SlicePlane plane) {
+    SliceFrame frame{plane, point, 1.0, 9, 9};  // looked at from near, it stays the same
+    const std::array<int, 3> rgb = rgbAt(slicePicture({.ct = &chest.ct}, frame, look), 4, 4);
+    return rgb[0] != rgb[1];
+  };
+  for (const SlicePlane plane : SlicePlanes) {
+    EXPECT_TRUE(coloured(Vec3(-70.5, 31.5, 40.0), plane));    // the right lung
+    EXPECT_FALSE(coloured(Vec3(-172.5, 91.5, 40.0), plane));  // the air of the room
+    EXPECT_FALSE(coloured(Vec3(-1.5, -85.5, 40.0), plane));   // the breast bone's fat
+  }
+  // The trachea leaves the image above.
+  EXPECT_TRUE(coloured(Vec3(1.5, -4.5, 140.0), SlicePlane::Coronal));
+}
+
 TEST(SlicePicture, MarksPointsOfItsSliceAlone) {
   const CtImage ct = filled(cube(40), -3000);
   const SliceFrame frame = framedSlice(ct.geometry, SlicePlane::Axial, 20.0, 120, 120);
@@ -239,11 +269,11 @@ TEST(SlicePicture, TellsWhatIsAtAPoint) {
 TEST(Tiled, PutsPicturesSideBySide) {
   const Picture white{20, 10, std::vector<std::uint8_t>(600, 255)};
   const Picture sheet = tiled({white, white, white}, 2);
-  EXPECT_EQ(sheet.width, 41);
-  EXPECT_EQ(sheet.height, 21);
+  EXPECT_EQ(sheet.width, 42);
+  EXPECT_EQ(sheet.height, 22);
   EXPECT_EQ(rgbAt(sheet, 0, 0)[0], 255);
   EXPECT_LT(rgbAt(sheet, 20, 0)[0], 100);
-  EXPECT_EQ(rgbAt(sheet, 21, 0)[0], 255);
+  EXPECT_EQ(rgbAt(sheet, 22, 0)[0], 255);
   EXPECT_EQ(rgbAt(sheet, 5, 15)[0], 255);
   EXPECT_EQ(rgbAt(sheet, 30, 15)[0], 0);
   EXPECT_THROW(tiled({}, 2), InvalidInput);

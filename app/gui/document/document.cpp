@@ -1,10 +1,12 @@
 #include "document/document.h"
 
+#include <chrono>
 #include <utility>
 
 #include "document/text.h"
 #include "io/atomic_file.h"
 #include "io/tree_file.h"
+#include "pipeline/ct_model.h"
 #include "pipeline/organs.h"
 #include "pipeline/report.h"
 #include "pipeline/sample_chest.h"
@@ -22,11 +24,30 @@ QString nameOf(const LungModel& model) {
   return others == 0 ? first : QStringLiteral("%1 and %2 more").arg(first).arg(others);
 }
 
+/// What was said and taken of `read` told after what was of `open`.
+void addRecord(LungModel& both, const LungModel& read) {
+  both.inputs.insert(both.inputs.end(), read.inputs.begin(), read.inputs.end());
+  both.warnings.insert(both.warnings.end(), read.warnings.begin(), read.warnings.end());
+  both.readSeconds += read.readSeconds;
+}
+
 /// `read` put together with what is open, where the one has what the other lacks.
 LungModel joined(const LungModel& open, LungModel read) {
-  const bool treeOnly = !read.surfaces && (read.central || read.opened);
-  const bool lobesOnly = read.surfaces && !read.central && !read.opened;
-  if (treeOnly && open.surfaces) {
+  const bool images = read.ct || read.labels;
+  const bool treeOnly = !images && !read.surfaces && (read.central || read.opened);
+  const bool lobesOnly = !images && read.surfaces && !read.central && !read.opened;
+  if (read.labels && !read.ct) {
+    LungModel both = open;
+    both.labels = read.labels;
+    both.lungs = nullptr;
+    if (!open.ct) {
+      throw InvalidInput("these are labels, not a CT; open the CT that they belong to first");
+    }
+    requireSamePlace(both);
+    addRecord(both, read);
+    return both;
+  }
+  if (treeOnly && (open.surfaces || open.ct)) {
     LungModel both = open;
     both.growth = nullptr;
     if (read.central) {
@@ -35,14 +56,19 @@ LungModel joined(const LungModel& open, LungModel read) {
     } else {
       both.opened = read.opened;
     }
-    both.inputs.insert(both.inputs.end(), read.inputs.begin(), read.inputs.end());
-    both.warnings.insert(both.warnings.end(), read.warnings.begin(), read.warnings.end());
-    both.readSeconds += read.readSeconds;
+    addRecord(both, read);
     return both;
   }
   // A built-in organ's airways lead into the organ, not into a person's lobes.
-  if (lobesOnly && !open.surfaces && !open.regions && open.central) {
-    read.central = open.central;
+  const bool keepsAirways = lobesOnly && !open.surfaces && !open.regions && open.central;
+  const bool keepsCt = lobesOnly && open.ct;
+  if (keepsAirways) read.central = open.central;
+  if (keepsCt) {
+    read.ct = open.ct;
+    read.labels = open.labels;
+    read.lungs = open.lungs;
+  }
+  if (keepsAirways || keepsCt) {
     read.inputs.insert(read.inputs.begin(), open.inputs.begin(), open.inputs.end());
     read.warnings.insert(read.warnings.begin(), open.warnings.begin(), open.warnings.end());
   }
@@ -51,6 +77,8 @@ LungModel joined(const LungModel& open, LungModel read) {
 
 QString whatWasRead(const LungModel& model) {
   QStringList parts;
+  if (model.ct) parts << QStringLiteral("a CT of %1 voxels").arg(sizeText(model.ct->geometry));
+  if (model.labels && !model.ct) parts << QStringLiteral("labels");
   if (model.surfaces) parts << counted(model.surfaces->size(), "surface", "surfaces");
   if (!model.surfaces && model.regions) {
     parts << counted(model.regions->size(), "region", "regions");
@@ -91,16 +119,18 @@ bool Document::canGrow() const {
 
 void Document::open(std::vector<std::filesystem::path> paths) {
   touched_ = paths;
-  jobs_.push(tr("Opening"), [this, paths = std::move(paths),
-                             open = snapshot_.model](const Progress& progress) {
-    LungModel model = joined(open, openFiles(paths, progress.part(0.0, 0.95, "reading")));
-    const QString name = nameOf(model);
-    Snapshot next = snapshotOf(std::move(model), name);
-    return JobQueue::Continuation([this, next = std::move(next)] {
-      emit said(tr("Opened %1").arg(whatWasRead(next.model)));
-      become(next, tr("open"));
-    });
-  });
+  jobs_.push(
+      tr("Opening"), [this, paths = std::move(paths), open = snapshot_](const Progress& progress) {
+        LungModel model = joined(open.model, openFiles(paths, progress.part(0.0, 0.95, "reading")));
+        const QString name = nameOf(model);
+        Snapshot next = snapshotOf(std::move(model), name);
+        next.lungOptions = open.lungOptions;
+        return JobQueue::Continuation([this, next = std::move(next)] {
+          emit said(tr("Opened %1").arg(whatWasRead(next.model)));
+          become(next, tr("open"));
+          if (next.model.ct && !next.model.labels) findLungs();
+        });
+      });
 }
 
 void Document::openSample() {
@@ -130,10 +160,40 @@ void Document::openOrgan(std::string_view name) {
       });
 }
 
+void Document::setLungOptions(const LungOptions& options) {
+  if (options == lungOptions_) return;
+  lungOptions_ = options;
+  emit lungOptionsChanged();
+}
+
+bool Document::lungsOutOfDate() const {
+  return snapshot_.model.lungs && !(snapshot_.lungOptions == lungOptions_);
+}
+
+void Document::findLungs() {
+  jobs_.push(tr("Finding lungs"), [this, model = snapshot_.model, name = snapshot_.name,
+                                   options = lungOptions_](const Progress& progress) {
+    const auto start = std::chrono::steady_clock::now();
+    const LungModel found = withLungs(model, options, progress.part(0.0, 0.7, "looking for air"));
+    Snapshot next =
+        snapshotOf(withSurfaces(found, {}, progress.part(0.7, 1.0, "drawing surfaces")), name);
+    next.lungOptions = options;
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+    return JobQueue::Continuation([this, next = std::move(next), seconds = took.count()] {
+      emit said(tr("Found the lungs in %1: right %2, left %3")
+                    .arg(withUnit(seconds, 1, "s"),
+                         withUnit(next.model.lungs->right.volumeMl, 0, "mL"),
+                         withUnit(next.model.lungs->left.volumeMl, 0, "mL")));
+      become(next, tr("find lungs"));
+    });
+  });
+}
+
 void Document::grow() {
-  jobs_.push(tr("Growing airways"), [this, model = snapshot_.model, name = snapshot_.name,
+  jobs_.push(tr("Growing airways"), [this, before = snapshot_,
                                      options = growthOptions()](const Progress& progress) {
-    Snapshot next = snapshotOf(pneuma::grow(model, options, progress), name);
+    Snapshot next = snapshotOf(pneuma::grow(before.model, options, progress), before.name);
+    next.lungOptions = before.lungOptions;
     return JobQueue::Continuation([this, next = std::move(next)] {
       const Growth& growth = *next.model.growth;
       emit said(tr("Grown in %1: %2, %3")

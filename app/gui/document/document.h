@@ -46,12 +46,21 @@ class Document : public QObject {
   /// True if there are lobes to grow in.
   bool canGrow() const;
 
+  /// The options of the next search for lungs.
+  const LungOptions& lungOptions() const { return lungOptions_; }
+
+  void setLungOptions(const LungOptions& options);
+
+  /// True if the lungs shown were found with other options than those set now.
+  bool lungsOutOfDate() const;
+
   JobQueue& jobs() { return jobs_; }
 
   const JobQueue& jobs() const { return jobs_; }
 
-  /// Reads files and folders. A tree alone is added to the lobes that are open, lobes alone to the
-  /// tree that is open; otherwise what was read replaces what was there. Can be undone.
+  /// Reads files and folders. A tree alone is added to the lobes or the CT that are open, lobes
+  /// alone to the tree or the CT, labels to the CT; otherwise what was read replaces what was
+  /// there. Can be undone. In a CT without labels the lungs are looked for at once.
   void open(std::vector<std::filesystem::path> paths);
 
   /// Opens the synthetic chest. Can be undone.
@@ -59,6 +68,9 @@ class Document : public QObject {
 
   /// Opens one of organNames(). Can be undone.
   void openOrgan(std::string_view name);
+
+  /// Finds lungs and central airways in the CT with lungOptions(). Can be undone.
+  void findLungs();
 
   /// Grows airways with growthOptions(). Can be undone.
   void grow();
@@ -92,6 +104,7 @@ class Document : public QObject {
   void changed();
 
   void growthOptionsChanged();
+  void lungOptionsChanged();
 
   /// The tree shown is in a file now.
   void treeWasSaved();
@@ -115,6 +128,7 @@ class Document : public QObject {
   Snapshot snapshot_;
   std::vector<GrowthOptions> optionsOf_;  ///< of every method, in the order of growthMethods()
   std::size_t method_ = 0;
+  LungOptions lungOptions_;
   std::vector<Step> undo_;
   std::vector<Step> redo_;
   std::shared_ptr<const AirwayTree> saved_;     ///< the tree that was saved last

@@ -176,9 +176,60 @@ PropertySheet treeSheet(const Snapshot& snapshot) {
   return sheet;
 }
 
+PropertySheet foundLungsSheet(const Snapshot& snapshot) {
+  PropertySheet sheet;
+  if (!snapshot.model.lungs) return sheet;
+  const LungSegmentation& found = *snapshot.model.lungs;
+  const double right = found.right.volumeMl;
+  const double left = found.left.volumeMl;
+  sheet.title = QStringLiteral("Lungs");
+  sheet.headline = withUnit(right + left, 0, "mL");
+  sheet.note = QStringLiteral("both lungs");
+  sheet.rows = {
+      {QStringLiteral("Right lung"), withUnit(right, 0, "mL")},
+      {QStringLiteral("Left lung"), withUnit(left, 0, "mL")},
+      {QStringLiteral("Right to left"),
+       left > 0.0 ? withUnit(right / left, 2, "") : QStringLiteral("-")},
+      {QStringLiteral("Mean density"),
+       QStringLiteral("%1 / %2").arg(withUnit(found.right.meanHu, 0, ""),
+                                     withUnit(found.left.meanHu, 0, "HU"))},
+      {QStringLiteral("Airways"), found.airways.found ? withUnit(found.airways.volumeMl, 1, "mL")
+                                                      : QStringLiteral("not found")},
+  };
+  if (found.gasRemovedMl > 0.0) {
+    sheet.rows.push_back(
+        {QStringLiteral("Bowel gas left out"), withUnit(found.gasRemovedMl, 0, "mL")});
+  }
+  std::size_t passed = 0;
+  for (const SegmentationCheck& one : found.checks) {
+    if (one.ok()) {
+      ++passed;
+    } else {
+      sheet.rows.push_back({capitalised(one.what),
+                            withUnit(one.value, 1, one.unit == "cm2" ? "cm²" : one.unit.c_str()),
+                            Kind::Look});
+    }
+  }
+  sheet.rows.push_back(
+      check(passed == found.checks.size(),
+            QStringLiteral("%1 of %2 checks passed").arg(passed).arg(found.checks.size())));
+  return sheet;
+}
+
 PropertySheet filesSheet(const Snapshot& snapshot) {
   PropertySheet sheet;
   const LungModel& model = snapshot.model;
+  if (model.ct) {
+    const ImageGeometry& geometry = model.ct->geometry;
+    sheet.rows.push_back({QStringLiteral("CT"), sizeText(geometry), Kind::Good});
+    sheet.rows.push_back({QStringLiteral("Voxels"), QStringLiteral("%1 × %2 × %3 mm")
+                                                        .arg(geometry.spacing.x(), 0, 'f', 2)
+                                                        .arg(geometry.spacing.y(), 0, 'f', 2)
+                                                        .arg(geometry.spacing.z(), 0, 'f', 2)});
+    sheet.rows.push_back({QStringLiteral("Memory"),
+                          withUnit(static_cast<double>(2 * geometry.voxelCount()) / 1e6, 0, "MB")});
+  }
+  if (model.labels) sheet.rows.push_back({QStringLiteral("Labels"), {}, Kind::Good});
   if (model.surfaces) {
     for (const LobeSurface& surface : *model.surfaces) {
       sheet.rows.push_back({fileNameOf(surface.name), withUnit(surface.health.volumeMl, 0, "mL"),

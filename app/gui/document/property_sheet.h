@@ -34,6 +34,9 @@ PropertySheet lungsSheet(const Snapshot& snapshot, Side which);
 
 PropertySheet treeSheet(const Snapshot& snapshot);
 
+/// Lungs and airways that were found in the CT, and the checks of them; empty if there are none.
+PropertySheet foundLungsSheet(const Snapshot& snapshot);
+
 /// A row for every surface that is open, good where it is fit to grow in, and for the central tree.
 PropertySheet filesSheet(const Snapshot& snapshot);
 

@@ -14,6 +14,7 @@ struct Snapshot {
   LungModel model;
   std::shared_ptr<const TreeFigures> figures;  ///< of treeOf(model); null if there is no tree
   QString name;                                ///< file names only, never folders
+  LungOptions lungOptions{};                   ///< with which model.lungs were found
 };
 
 /// A snapshot of `model` with the figures of its tree.

@@ -42,7 +42,12 @@ void addSide(std::vector<Structure>& structures, const std::vector<LobeSurface>&
   if (below.empty()) return;
   std::sort(below.begin(), below.end(),
             [](const Structure& a, const Structure& b) { return a.lobe < b.lobe; });
-  if (which != Side::None) {
+  // A lung that is not split needs no heading of its own name.
+  const bool whole = below.size() == 1 && (below.front().lobe == Lobe::RightLung ||
+                                           below.front().lobe == Lobe::LeftLung);
+  if (whole) {
+    below.front().depth = 1;
+  } else if (which != Side::None) {
     structures.push_back({Kind::Side, 1, capitalised(name(which)) + QStringLiteral(" lung"),
                           withUnit(volume, 0, "mL"), which});
   }

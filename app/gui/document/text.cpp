@@ -28,6 +28,13 @@ QString qtText(std::string_view utf8) {
   return QString::fromUtf8(utf8.data(), static_cast<int>(utf8.size()));
 }
 
+QString sizeText(const ImageGeometry& geometry) {
+  return QStringLiteral("%1 × %2 × %3")
+      .arg(geometry.size[0])
+      .arg(geometry.size[1])
+      .arg(geometry.size[2]);
+}
+
 QString capitalised(std::string_view words) {
   QString text = qtText(words);
   if (!text.isEmpty()) text[0] = text[0].toUpper();

@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/image.h"
+
 /// Numbers and names as the window spells them; the same everywhere, whatever the system's locale.
 namespace pneuma {
 
@@ -18,6 +20,9 @@ QString withUnit(double value, int decimals, const char* unit);
 QString counted(std::size_t count, const char* one, const char* many);
 
 QString qtText(std::string_view utf8);
+
+/// "512 × 512 × 133"
+QString sizeText(const ImageGeometry& geometry);
 
 /// "right upper lobe" -> "Right upper lobe"
 QString capitalised(std::string_view words);

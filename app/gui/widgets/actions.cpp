@@ -45,6 +45,7 @@ Actions makeActions(QWidget* window) {
   a.quit = action(window, "actionQuit", tr("&Quit"), {keys("Ctrl+Q")});
   a.undo = action(window, "actionUndo", tr("&Undo"), {keys("Ctrl+Z")});
   a.redo = action(window, "actionRedo", tr("&Redo"), {keys("Ctrl+Shift+Z"), keys("Ctrl+Y")});
+  a.findLungs = action(window, "actionFindLungs", tr("Find &lungs"), {keys("Ctrl+L")}, "lungs");
   a.grow = action(window, "actionGrow", tr("&Grow airways"), {keys("Ctrl+Return")});
   a.cancel = action(window, "actionCancel", tr("&Cancel the running job"), {keys("Esc")}, "close");
   static const std::array<const char*, 6> names = {
@@ -56,6 +57,7 @@ Actions makeActions(QWidget* window) {
     a.views[i]->setIconText(QString(QLatin1Char(ViewLetters[i])));
   }
   a.resetView = action(window, "actionResetView", tr("&Frame everything"), {}, "frame");
+  a.slices = makeSliceActions(window);
   a.theme = action(window, "actionTheme", tr("&Light theme"), {});
   a.theme->setCheckable(true);
   a.about = action(window, "actionAbout", tr("&About Pneuma"));
@@ -79,11 +81,12 @@ void fillMenus(QMenuBar& bar, const Actions& a) {
   QMenu* edit = bar.addMenu(QObject::tr("&Edit"));
   edit->addActions({a.undo, a.redo});
   edit->addSeparator();
-  edit->addActions({a.grow, a.cancel});
+  edit->addActions({a.findLungs, a.grow, a.cancel});
   QMenu* view = bar.addMenu(QObject::tr("&View"));
   for (QAction* named : a.views) view->addAction(named);
   view->addSeparator();
   view->addActions({a.resetView, a.theme});
+  fillSliceMenu(*bar.addMenu(QObject::tr("&Slices")), a.slices);
   QMenu* help = bar.addMenu(QObject::tr("&Help"));
   help->addAction(a.about);
 }

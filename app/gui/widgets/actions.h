@@ -4,6 +4,8 @@
 #include <array>
 #include <vector>
 
+#include "widgets/slice_actions.h"
+
 class QMenu;
 class QMenuBar;
 
@@ -23,10 +25,12 @@ struct Actions {
   QAction* quit = nullptr;
   QAction* undo = nullptr;
   QAction* redo = nullptr;
+  QAction* findLungs = nullptr;
   QAction* grow = nullptr;
   QAction* cancel = nullptr;
   std::array<QAction*, 6> views{};
   QAction* resetView = nullptr;
+  SliceActions slices;
   QAction* theme = nullptr;
   QAction* about = nullptr;
 };

@@ -23,17 +23,24 @@ QFileDialog* fileDialog(QWidget* parent, const QString& title, const char* name)
 }  // namespace
 
 void askForFiles(QWidget* parent, std::function<void(const QStringList&)> chosen) {
-  auto* dialog = fileDialog(parent, QObject::tr("Open lobe surfaces and airways"), "openDialog");
+  auto* dialog =
+      fileDialog(parent, QObject::tr("Open a CT, lobe surfaces or airways"), "openDialog");
   dialog->setFileMode(QFileDialog::ExistingFiles);
-  dialog->setNameFilters({QObject::tr("Surfaces and trees (*.stl *.obj *.ply *.vtp *.vtu *.swc "
-                                      "*.csv *.json)"),
-                          QObject::tr("All files (*)")});
+  dialog->setNameFilters(
+      {QObject::tr("Everything that opens (*.nii *.nii.gz *.nrrd *.nhdr *.mha "
+                   "*.mhd *.dcm *.zip *.stl *.obj *.ply *.vtp *.vtu *.swc *.csv *.json)"),
+       QObject::tr("CTs and labels (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.dcm "
+                   "*.zip)"),
+       QObject::tr("Surfaces and trees (*.stl *.obj *.ply *.vtp *.vtu *.swc "
+                   "*.csv *.json)"),
+       QObject::tr("All files (*)")});
   QObject::connect(dialog, &QFileDialog::filesSelected, parent, std::move(chosen));
   dialog->open();
 }
 
 void askForFolder(QWidget* parent, std::function<void(const QString&)> chosen) {
-  auto* dialog = fileDialog(parent, QObject::tr("Open a folder of lobe surfaces"), "folderDialog");
+  auto* dialog =
+      fileDialog(parent, QObject::tr("Open a folder of a CT or of lobe surfaces"), "folderDialog");
   dialog->setFileMode(QFileDialog::Directory);
   dialog->setOption(QFileDialog::ShowDirsOnly);
   QObject::connect(dialog, &QFileDialog::fileSelected, parent, std::move(chosen));

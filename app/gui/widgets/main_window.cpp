@@ -10,18 +10,18 @@
 #include <QToolButton>
 #include <utility>
 
-#include "document/property_sheet.h"
 #include "document/text.h"
 #include "io/atomic_file.h"
+#include "widgets/ct_views.h"
 #include "widgets/dialogs.h"
 #include "widgets/error_card.h"
 #include "widgets/export_panel.h"
 #include "widgets/generation_chart.h"
-#include "widgets/heading.h"
 #include "widgets/icons.h"
+#include "widgets/lungs_panel.h"
 #include "widgets/open_panel.h"
 #include "widgets/scene_view.h"
-#include "widgets/sheet_card.h"
+#include "widgets/slice_bar.h"
 #include "widgets/status_strip.h"
 #include "widgets/step_button.h"
 #include "widgets/structure_view.h"
@@ -78,6 +78,11 @@ void MainWindow::connectActions() {
       document_.openOrgan(organ->data().toString().toStdString());
     });
   }
+  connect(actions_.findLungs, &QAction::triggered, this, [this] {
+    errorCard_->hide();
+    goTo(LungsStep);
+    document_.findLungs();
+  });
   connect(actions_.grow, &QAction::triggered, this, [this] {
     errorCard_->hide();
     goTo(AirwaysStep);
@@ -123,6 +128,7 @@ void MainWindow::connectView() {
   connect(view_, &SceneView::clicked, this, &MainWindow::selectBranch);
   connect(view_, &SceneView::hovered, this, &MainWindow::probe);
   connect(view_, &SceneView::walked, this, &MainWindow::walk);
+  connect(ctViews_, &CtViews::hovered, this, &MainWindow::probePoint);
   connect(viewBar_, &ViewBar::changed, this,
           [this] { view_->setOptions(viewBar_->applied(view_->options())); });
   connect(&structures_, &StructureModel::visibilityChanged, this, &MainWindow::applyVisibility);
@@ -136,14 +142,34 @@ void MainWindow::connectView() {
 }
 
 void MainWindow::goTo(Step step) {
+  if (step != LungsStep) lungsPanel_->endPreview();
   steps_[step]->setChecked(true);
   panels_->setCurrentIndex(step);
+}
+
+void MainWindow::showSteps() {
+  const LungModel& model = document_.model();
+  // With surfaces or a tree alone there are no lungs to find.
+  steps_[LungsStep]->setVisible(model.ct || (!model.surfaces && !document_.tree()));
+  int number = 0;
+  for (StepButton* step : steps_) {
+    if (!step->isHidden()) step->setNumber(++number);
+  }
+}
+
+void MainWindow::goToVisible(int place) {
+  for (int i = 0; i < StepCount; ++i) {
+    if (steps_[static_cast<std::size_t>(i)]->isHidden() || place-- > 0) continue;
+    goTo(static_cast<Step>(i));
+    return;
+  }
 }
 
 void MainWindow::showSnapshot() {
   const Snapshot& snapshot = document_.snapshot();
   const auto tree = document_.tree();
-  const bool newThings = snapshot.model.surfaces != shownSurfaces_ || tree != shownTree_;
+  const bool newThings = snapshot.model.surfaces != shownSurfaces_ || tree != shownTree_ ||
+                         snapshot.model.ct != shownCt_ || snapshot.model.labels != shownLabels_;
   if (newThings) {
     branch_.reset();
     structures_.show(snapshot);
@@ -162,6 +188,7 @@ void MainWindow::showSnapshot() {
   openPanel_->show(snapshot);
   status_->setWarnings(warningsOf(snapshot));
   updateProperties();
+  showSteps();
   updateSteps();
   updateActions();
 }
@@ -180,17 +207,21 @@ void MainWindow::showScene() {
     }
     view_->setSurfaces(std::move(surfaces));
   }
+  sliceViews_.show(snapshot.model.ct, snapshot.model.labels);
+  sliceBar_->setVisible(snapshot.model.ct != nullptr);
   viewBar_->setDeepest(
       snapshot.figures ? static_cast<int>(snapshot.figures->branchesOfGeneration.size()) - 1 : 0);
   viewBar_->setLobes(snapshot.model.surfaces != nullptr);
   view_->setOptions(viewBar_->applied(view_->options()));
   shownSurfaces_ = snapshot.model.surfaces;
   shownTree_ = tree;
+  shownCt_ = snapshot.model.ct;
+  shownLabels_ = snapshot.model.labels;
   applyVisibility();
-  const bool empty = !shownSurfaces_ && !shownTree_;
+  const bool empty = !shownSurfaces_ && !shownTree_ && !shownCt_;
   centre_->setCurrentIndex(empty ? 0 : 1);
   if (empty) return;
-  if (wasEmpty) goTo(AirwaysStep);
+  if (wasEmpty) goTo(shownCt_ ? LungsStep : AirwaysStep);
   if (wasEmpty || otherLungs) {
     view_->look(FirstView);
   } else if (!shownSurfaces_) {
@@ -211,98 +242,6 @@ void MainWindow::applyVisibility() {
   view_->setTree(airways ? shownTree_ : nullptr);
   if (!airways) branch_.reset();
   view_->select(branch_);
-}
-
-void MainWindow::updateActions() {
-  const bool busy = document_.jobs().busy();
-  const bool lobes = document_.canGrow();
-  const bool tree = document_.tree() != nullptr;
-  const bool shown = tree || document_.model().surfaces;
-  const QString wait = tr("A job is running");
-  for (QAction* opening : {actions_.open, actions_.openFolder, actions_.sample}) {
-    opening->setEnabled(!busy);
-  }
-  for (QAction* organ : actions_.organs) organ->setEnabled(!busy);
-  actions_.grow->setEnabled(lobes && !busy);
-  actions_.grow->setToolTip(busy    ? wait
-                            : lobes ? tr("Grow airways from the central ones into the lobes")
-                                    : tr("Open lobe surfaces or an organ first"));
-  actions_.saveTree->setEnabled(tree && !busy);
-  actions_.saveTree->setToolTip(busy   ? wait
-                                : tree ? tr("Save the tree that is shown")
-                                       : tr("There is no tree to save yet"));
-  actions_.savePicture->setEnabled(shown);
-  actions_.cancel->setEnabled(busy || branch_);
-  actions_.undo->setEnabled(document_.canUndo());
-  actions_.undo->setText(tr("&Undo %1").arg(document_.undoName()).trimmed());
-  actions_.redo->setEnabled(document_.canRedo());
-  actions_.redo->setText(tr("&Redo %1").arg(document_.redoName()).trimmed());
-}
-
-void MainWindow::updateSteps() {
-  const Snapshot& snapshot = document_.snapshot();
-  const LungModel& model = snapshot.model;
-  const bool busy = document_.jobs().busy();
-  const auto tree = document_.tree();
-
-  if (!model.surfaces && !tree) {
-    steps_[OpenStep]->setState(busy ? StepState::Running : StepState::ToDo,
-                               tr("lobes and airways"));
-  } else {
-    bool healthy = model.warnings.empty();
-    std::size_t count = 0;
-    if (model.surfaces) {
-      count = model.surfaces->size();
-      for (const auto& surface : *model.surfaces) healthy = healthy && surface.health.healthy();
-    }
-    steps_[OpenStep]->setState(healthy ? StepState::Done : StepState::CheckMe,
-                               count > 0             ? counted(count, "surface", "surfaces")
-                               : document_.canGrow() ? tr("a built-in organ")
-                                                     : tr("a tree"));
-  }
-
-  StepButton& airways = *steps_[AirwaysStep];
-  if (busy && document_.canGrow()) {
-    airways.setState(StepState::Running, {});
-  } else if (!model.growth) {
-    airways.setState(StepState::ToDo, {});
-  } else if (document_.growthOutOfDate()) {
-    airways.setState(StepState::OutOfDate, {});
-  } else {
-    const Outside& outside = model.growth->outside;
-    const bool fine = outside.ends + outside.segments == 0 && model.growth->result.warnings.empty();
-    airways.setState(fine ? StepState::Done : StepState::CheckMe,
-                     counted(tree->size(), "branch", "branches"));
-  }
-  steps_[ExportStep]->setState(document_.treeSaved() ? StepState::Done : StepState::ToDo,
-                               document_.treeSaved() ? tr("tree saved") : QString());
-}
-
-void MainWindow::updateProperties() {
-  const Snapshot& snapshot = document_.snapshot();
-  PropertySheet sheet;
-  if (branch_) {
-    sheet = branchSheet(snapshot, *branch_);
-  } else if (const QModelIndex current = structureView_->currentIndex(); current.isValid()) {
-    const auto& structure = structures_.structure(current.row());
-    switch (structure.kind) {
-      case StructureModel::Kind::Surface:
-        sheet = surfaceSheet(snapshot, structure.surface);
-        break;
-      case StructureModel::Kind::Airways:
-        sheet = treeSheet(snapshot);
-        break;
-      case StructureModel::Kind::Lungs:
-      case StructureModel::Kind::Side:
-        sheet = lungsSheet(snapshot, structure.side);
-        break;
-    }
-  }
-  const bool any = !sheet.title.isEmpty();
-  setHeading(*propertiesHeading_, sheet.title);
-  propertiesHeading_->setVisible(any);
-  properties_->setVisible(any);
-  properties_->show(sheet);
 }
 
 void MainWindow::selectBranch(std::optional<std::size_t> branch) {
@@ -328,6 +267,10 @@ void MainWindow::probe(std::optional<std::size_t> branch) {
                      .arg(grouped(*branch), capitalised(longName(b.lobe)))
                      .arg(document_.snapshot().figures->generation[*branch])
                      .arg(withUnit(2.0 * b.radiusMm, 2, "mm")));
+}
+
+void MainWindow::probePoint(const std::optional<Vec3>& point) {
+  status_->probe(point && !sliceViews_.empty() ? sliceViews_.probe(*point) : QString());
 }
 
 void MainWindow::cancel() {

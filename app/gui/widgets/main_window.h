@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "document/document.h"
+#include "document/slice_views.h"
 #include "document/structure_model.h"
 #include "widgets/actions.h"
 #include "widgets/theme.h"
@@ -19,12 +20,15 @@ class QToolButton;
 
 namespace pneuma {
 
+class CtViews;
 class ErrorCard;
 class ExportPanel;
 class GenerationChart;
+class LungsPanel;
 class OpenPanel;
 class SceneView;
 class SheetCard;
+class SliceBar;
 class StatusStrip;
 class StepButton;
 class StructureView;
@@ -43,6 +47,8 @@ class MainWindow : public QMainWindow {
 
   SceneView& view() { return *view_; }
 
+  SliceViews& slices() { return sliceViews_; }
+
   void open(std::vector<std::filesystem::path> paths);
 
   void setTheme(ThemeName name);
@@ -57,7 +63,7 @@ class MainWindow : public QMainWindow {
   void dropEvent(QDropEvent* event) override;
 
  private:
-  enum Step { OpenStep, AirwaysStep, ExportStep, StepCount };
+  enum Step { OpenStep, LungsStep, AirwaysStep, ExportStep, StepCount };
 
   QWidget* makeHeader();
   QWidget* makeRail();
@@ -68,6 +74,9 @@ class MainWindow : public QMainWindow {
   void connectView();
 
   void goTo(Step step);
+  /// Shows the step for lungs where there may be a CT, and numbers the steps.
+  void showSteps();
+  void goToVisible(int place);
   void showSnapshot();
   void showScene();
   void updateActions();
@@ -77,6 +86,7 @@ class MainWindow : public QMainWindow {
   void selectBranch(std::optional<std::size_t> branch);
   void walk(Neighbour where);
   void probe(std::optional<std::size_t> branch);
+  void probePoint(const std::optional<Vec3>& point);
   void cancel();
   /// @param then what to do once the tree is saved
   void saveTree(std::function<void()> then = {});
@@ -84,6 +94,7 @@ class MainWindow : public QMainWindow {
 
   Document document_;
   StructureModel structures_;
+  SliceViews sliceViews_;
   Actions actions_;
   std::optional<std::size_t> branch_;  ///< the selected one
   std::function<void()> whenSaved_;
@@ -92,16 +103,21 @@ class MainWindow : public QMainWindow {
   // What the scene holds, so that only what is new is handed to it.
   std::shared_ptr<const std::vector<LobeSurface>> shownSurfaces_;
   std::shared_ptr<const AirwayTree> shownTree_;
+  std::shared_ptr<const CtImage> shownCt_;
+  std::shared_ptr<const LabelImage> shownLabels_;
 
   QLabel* caseName_ = nullptr;
   QToolButton* themeToggle_ = nullptr;
   std::array<StepButton*, StepCount> steps_{};
   QStackedWidget* panels_ = nullptr;
   OpenPanel* openPanel_ = nullptr;
+  LungsPanel* lungsPanel_ = nullptr;
   ExportPanel* exportPanel_ = nullptr;
   QStackedWidget* centre_ = nullptr;
   ViewBar* viewBar_ = nullptr;
   SceneView* view_ = nullptr;
+  SliceBar* sliceBar_ = nullptr;
+  CtViews* ctViews_ = nullptr;
   ErrorCard* errorCard_ = nullptr;
   StructureView* structureView_ = nullptr;
   QLabel* propertiesHeading_ = nullptr;

@@ -8,15 +8,18 @@
 #include <QVBoxLayout>
 #include <QVariant>
 
+#include "widgets/ct_views.h"
 #include "widgets/error_card.h"
 #include "widgets/export_panel.h"
 #include "widgets/generation_chart.h"
 #include "widgets/growth_panel.h"
 #include "widgets/heading.h"
+#include "widgets/lungs_panel.h"
 #include "widgets/main_window.h"
 #include "widgets/open_panel.h"
 #include "widgets/scene_view.h"
 #include "widgets/sheet_card.h"
+#include "widgets/slice_bar.h"
 #include "widgets/start_page.h"
 #include "widgets/status_strip.h"
 #include "widgets/step_button.h"
@@ -81,7 +84,7 @@ QWidget* MainWindow::makeRail() {
   column->setSpacing(4);
   column->addWidget(heading(tr("Steps")));
   static const std::array<const char*, StepCount> titles = {
-      QT_TR_NOOP("Open"), QT_TR_NOOP("Airways"), QT_TR_NOOP("Export")};
+      QT_TR_NOOP("Open"), QT_TR_NOOP("Lungs"), QT_TR_NOOP("Airways"), QT_TR_NOOP("Export")};
   panels_ = new QStackedWidget;
   for (int i = 0; i < StepCount; ++i) {
     const auto index = static_cast<std::size_t>(i);
@@ -91,12 +94,14 @@ QWidget* MainWindow::makeRail() {
     connect(steps_[index], &QAbstractButton::clicked, this,
             [this, i] { goTo(static_cast<Step>(i)); });
     auto* key = new QShortcut(QKeySequence(QString::number(i + 1)), this);
-    connect(key, &QShortcut::activated, this, [this, i] { goTo(static_cast<Step>(i)); });
+    connect(key, &QShortcut::activated, this, [this, i] { goToVisible(i); });
   }
   column->addSpacing(10);
   openPanel_ = new OpenPanel(actions_);
   exportPanel_ = new ExportPanel(actions_);
   panels_->addWidget(openPanel_);
+  lungsPanel_ = new LungsPanel(document_, sliceViews_, actions_);
+  panels_->addWidget(lungsPanel_);
   panels_->addWidget(new GrowthPanel(document_, actions_));
   panels_->addWidget(exportPanel_);
   column->addWidget(panels_, 1);
@@ -111,7 +116,11 @@ QWidget* MainWindow::makeCentre() {
   viewBar_ = new ViewBar(actions_);
   view_ = new SceneView;
   column->addWidget(viewBar_);
-  column->addWidget(view_, 1);
+  sliceBar_ = new SliceBar(sliceViews_, actions_);
+  sliceBar_->hide();
+  ctViews_ = new CtViews(sliceViews_, view_, actions_);
+  column->addWidget(sliceBar_);
+  column->addWidget(ctViews_, 1);
   centre_ = new QStackedWidget;
   centre_->setObjectName(QStringLiteral("centre"));
   centre_->addWidget(new StartPage(actions_));

@@ -27,6 +27,7 @@ constexpr int SettleMs = 180;  ///< after the last movement the picture becomes 
 constexpr int HoverMs = 60;
 constexpr int ClickPixels = 4;  ///< a press that moves less is a click
 constexpr double TurnDeg = 15.0;
+constexpr int TitleGap = 12;  ///< pixels
 
 /// The usual camera, without VTK's keys (e ends the program, w turns surfaces into wires ...).
 class CameraStyle : public vtkInteractorStyleTrackballCamera {
@@ -84,7 +85,11 @@ SceneView::SceneView(QWidget* parent) : QWidget(parent), scene_(std::make_unique
   beforeFrame->SetCallback([](vtkObject*, unsigned long, void* self, void*) {
     auto* view = static_cast<SceneView*>(self);
     view->scene_->updateAnnotations();
-    const QString text = tr("3D   %1").arg(viewText(view->scene_->lookingFrom()));
+    QString text = tr("3D   %1").arg(viewText(view->scene_->lookingFrom()));
+    // Short of the letter in the middle of the upper side.
+    const int middle = (view->width() - view->scene_->legendWidth()) / 2;
+    const int room = middle - view->title_->x() - TitleGap;
+    if (view->title_->fontMetrics().horizontalAdvance(text) > room) text = tr("3D");
     if (view->title_->text() != text) {
       view->title_->setText(text);
       view->title_->adjustSize();

@@ -82,7 +82,9 @@ void SheetCard::show(const PropertySheet& sheet) {
     const bool isCheck = row.kind != PropertyRow::Kind::Figure;
     if (isCheck) {
       rows_->addWidget(new CheckMark(row.kind == PropertyRow::Kind::Good), line, 0);
-      rows_->addWidget(label(row.label, nullptr), line, 1, 1, row.value.isEmpty() ? 2 : 1);
+      QLabel* what = label(row.label, nullptr);
+      what->setWordWrap(row.kind == PropertyRow::Kind::Look);
+      rows_->addWidget(what, line, 1, 1, row.value.isEmpty() ? 2 : 1);
     } else {
       rows_->addWidget(label(row.label, "dim"), line, 0, 1, 2);
     }

@@ -32,13 +32,15 @@ StartPage::StartPage(const Actions& actions, QWidget* parent) : QWidget(parent) 
   auto* column = new QVBoxLayout(frame);
   column->setContentsMargins(36, 32, 36, 30);
   column->setSpacing(10);
-  column->addWidget(line(tr("Drop lobe surfaces here"), "title"));
-  column->addWidget(
-      line(tr("A folder, or STL, OBJ, PLY and VTP files whose names carry rul, rml, "
-              "rll, lul, lll. Add the central airways as VTP, VTU, SWC or CSV if you "
-              "have them; without them a template is used. No data at hand? Take a built-in "
-              "organ."),
-           "dim"));
+  column->addWidget(line(tr("Drop a CT or lobe surfaces here"), "title"));
+  column->addWidget(line(
+      tr("A chest CT as a folder of DICOM, or as NIfTI, NRRD or MetaImage; or a folder of "
+         "surfaces, or STL, OBJ, PLY and "
+         "VTP files, whose names carry rul, rml, rll, lul, lll. Add the central airways as VTP, "
+         "VTU, SWC or CSV if you "
+         "have them; without them a template is used. No data at hand? Take a built-in "
+         "organ."),
+      "dim"));
   column->addSpacing(8);
   auto* buttons = new QHBoxLayout;
   buttons->setSpacing(8);

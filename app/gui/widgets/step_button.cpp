@@ -35,8 +35,14 @@ StepButton::StepButton(int number, const QString& title, QWidget* parent)
   setFocusPolicy(Qt::StrongFocus);
   setAttribute(Qt::WA_Hover);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-  setToolTip(tr("Step %1 (key %1)").arg(number));
+  setNumber(number);
   describe();
+}
+
+void StepButton::setNumber(int number) {
+  number_ = number;
+  setToolTip(tr("Step %1 (key %1)").arg(number));
+  update();
 }
 
 void StepButton::setState(StepState state, const QString& note) {

@@ -14,6 +14,8 @@ class StepButton : public QAbstractButton {
  public:
   StepButton(int number, const QString& title, QWidget* parent = nullptr);
 
+  void setNumber(int number);
+
   /// @param note what there is to say besides the state, for example "29,953 branches"; may be
   /// empty
   void setState(StepState state, const QString& note);

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <QImage>
+#include <QWidget>
+#include <optional>
+
+#include "document/slice_views.h"
+
+namespace pneuma {
+
+/// One slice of the CT. Click or drag moves the point that all views share; the wheel changes the
+/// slice (Shift: five at once); Ctrl+wheel or right drag zooms; middle or Shift+left drag moves the
+/// picture; W held + left drag changes the window: across its width, down its level. With the
+/// keyboard: Up/Down, B/F and PageUp/PageDown change the slice, R shows everything again.
+class SliceView : public QWidget {
+  Q_OBJECT
+
+ public:
+  SliceView(SliceViews& views, SlicePlane plane, QWidget* parent = nullptr);
+
+  /// The pixel of this widget at which a point (LPS, mm) is drawn.
+  QPoint positionOf(const Vec3& point) const;
+
+  /// What the view shows, in device pixels.
+  QImage picture() const;
+
+ signals:
+  /// The pointer is there; none once it has left.
+  void hovered(std::optional<pneuma::Vec3> point);
+  void doubleClicked(pneuma::SlicePlane plane);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void keyReleaseEvent(QKeyEvent* event) override;
+  void leaveEvent(QEvent* event) override;
+
+ private:
+  enum class Drag { None, Point, Pan, Zoom, Window };
+
+  SliceFrame frame() const;
+  PicturePoint onPicture(const QPointF& position) const;
+  void dragTo(const QPoint& position);
+
+  SliceViews& views_;
+  SlicePlane plane_;
+  Drag drag_ = Drag::None;
+  QPoint before_;             ///< where the drag was last
+  PicturePoint zoomedAbout_;  ///< where a zooming drag began
+  bool windowKey_ = false;
+  int wheelRest_ = 0;  ///< turned, but not yet a slice
+};
+
+}  // namespace pneuma
