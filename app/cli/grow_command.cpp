@@ -6,6 +6,7 @@
 #include "cli/files.h"
 #include "cli/growth_arguments.h"
 #include "cli/text.h"
+#include "core/seconds.h"
 #include "io/tree_file.h"
 #include "pipeline/aggregate_file.h"
 #include "pipeline/efficiency_report.h"
@@ -45,10 +46,6 @@ void requirePointsOutput(const GrowArguments& arguments, const CommonOptions& co
     throw InvalidOption("--points names the same file as another output, '" +
                         arguments.points.string() + "'");
   }
-}
-
-double secondsSince(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
 void requireUsable(const GrowArguments& arguments, const CommonOptions& common) {

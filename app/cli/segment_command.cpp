@@ -7,6 +7,7 @@
 #include "cli/ct_report.h"
 #include "cli/files.h"
 #include "cli/text.h"
+#include "core/seconds.h"
 #include "io/surface_file.h"
 #include "io/tree_file.h"
 #include "io/volume_file.h"
@@ -43,10 +44,6 @@ void requireUsable(const SegmentArguments& arguments, const CommonOptions& commo
       requireSurfaceOutput(arguments.surfaces / name, common.existing());
     }
   }
-}
-
-double secondsSince(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
 void writeAll(const SegmentArguments& arguments, const CommonOptions& common,
@@ -92,10 +89,8 @@ ExitCode runSegment(const SegmentArguments& arguments, const CommonOptions& comm
               : withSurfaces(
                     withLungs(model, arguments.lungs, progress.part(0.2, 0.8, "finding the lungs")),
                     arguments.surfaceOptions, progress.part(0.8, 0.9, "drawing surfaces"));
-  Json report = reportEnvelope("pneuma/segment/1", model.inputs, toJson(arguments.lungs), 0);
-  addLungs(model, report);
-  report["timing_s"] = {{"read", readSeconds}, {"find", secondsSince(start) - readSeconds}};
-  report["peak_memory_mb"] = peakMemoryMb();
+  Json report =
+      segmentReport(model, arguments.lungs, readSeconds, secondsSince(start) - readSeconds);
   if (!arguments.central.empty() && !model.central) {
     report["warnings"].push_back("no airways were found, so that " + arguments.central.string() +
                                  " was not written");

@@ -21,7 +21,6 @@ std::vector<double> distances(const TriangleMesh& from, const TriangleMesh& to) 
   const NearestTriangle nearest(to);
   std::vector<double> found(from.points.size());
   parallelFor(found.size(), [&](std::size_t p) { found[p] = nearest.distanceMm(from.points[p]); });
-  std::sort(found.begin(), found.end());
   return found;
 }
 
@@ -81,13 +80,13 @@ void compareSurfaces(ShapeComparison& comparison, const Progress& progress) {
   const SurfaceDistance distance = surfaceDistance(first, second, progress);
   comparison.surfaces.push_back(distance);
   const ShapeLimits& limits = comparison.limits;
-  if (limits.maxDistanceMm > 0.0 && distance.maxMm > limits.maxDistanceMm) {
-    comparison.failures.push_back("largest distance " + fixed(distance.maxMm, 3) + " mm, over " +
-                                  fixed(limits.maxDistanceMm, 3) + " mm");
+  if (limits.maxDistanceMm > 0.0 && distance.between.maxMm > limits.maxDistanceMm) {
+    comparison.failures.push_back("largest distance " + fixed(distance.between.maxMm, 3) +
+                                  " mm, over " + fixed(limits.maxDistanceMm, 3) + " mm");
   }
-  if (limits.maxHd95Mm > 0.0 && distance.hausdorff95Mm > limits.maxHd95Mm) {
-    comparison.failures.push_back("HD95 " + fixed(distance.hausdorff95Mm, 3) + " mm, over " +
-                                  fixed(limits.maxHd95Mm, 3) + " mm");
+  if (limits.maxHd95Mm > 0.0 && distance.between.hausdorff95Mm > limits.maxHd95Mm) {
+    comparison.failures.push_back("HD95 " + fixed(distance.between.hausdorff95Mm, 3) +
+                                  " mm, over " + fixed(limits.maxHd95Mm, 3) + " mm");
   }
   const double volume = percent(distance.firstMl, distance.secondMl);
   if (limits.maxVolumePercent > 0.0 && std::abs(volume) > limits.maxVolumePercent) {
@@ -107,18 +106,11 @@ SurfaceDistance surfaceDistance(const TriangleMesh& first, const TriangleMesh& s
   SurfaceDistance result;
   result.firstMl = millilitres(signedVolumeMm3(first));
   result.secondMl = millilitres(signedVolumeMm3(second));
-  double sum = 0.0;
-  double count = 0.0;
-  for (const auto& [from, to] : {std::pair{&first, &second}, std::pair{&second, &first}}) {
-    const std::vector<double> found = distances(*from, *to);
-    progress.report(from == &first ? 0.5 : 1.0);
-    for (const double d : found) sum += d;
-    count += static_cast<double>(found.size());
-    const auto rank = static_cast<std::size_t>(0.95 * static_cast<double>(found.size() - 1));
-    result.hausdorff95Mm = std::max(result.hausdorff95Mm, found[rank]);
-    result.maxMm = std::max(result.maxMm, found.back());
-  }
-  result.meanMm = sum / count;
+  std::vector<double> there = distances(first, second);
+  progress.report(0.5);
+  std::vector<double> back = distances(second, first);
+  progress.report(1.0);
+  result.between = summaryOf(std::move(there), std::move(back));
   return result;
 }
 
@@ -156,9 +148,9 @@ Json toJson(const ShapeComparison& comparison, std::span<const InputFile> inputs
     report["surfaces"].push_back({{"first_ml", surface.firstMl},
                                   {"second_ml", surface.secondMl},
                                   {"volume_percent", percent(surface.firstMl, surface.secondMl)},
-                                  {"mean_mm", surface.meanMm},
-                                  {"hd95_mm", surface.hausdorff95Mm},
-                                  {"max_mm", surface.maxMm}});
+                                  {"mean_mm", surface.between.meanMm},
+                                  {"hd95_mm", surface.between.hausdorff95Mm},
+                                  {"max_mm", surface.between.maxMm}});
   }
   report["failures"] = comparison.failures;
   return report;
@@ -180,8 +172,9 @@ std::string textOf(const ShapeComparison& comparison) {
   }
   for (const SurfaceDistance& surface : comparison.surfaces) {
     rows.push_back({ml(surface.firstMl), ml(surface.secondMl),
-                    fixed(percent(surface.firstMl, surface.secondMl), 2) + " %", mm(surface.meanMm),
-                    mm(surface.hausdorff95Mm), mm(surface.maxMm)});
+                    fixed(percent(surface.firstMl, surface.secondMl), 2) + " %",
+                    mm(surface.between.meanMm), mm(surface.between.hausdorff95Mm),
+                    mm(surface.between.maxMm)});
   }
   return textTable(rows);
 }

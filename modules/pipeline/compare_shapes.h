@@ -11,6 +11,7 @@
 #include "core/triangle_mesh.h"
 #include "io/json.h"
 #include "pipeline/lung_model.h"
+#include "segmentation/distance_summary.h"
 #include "segmentation/label_agreement.h"
 
 namespace pneuma {
@@ -44,9 +45,7 @@ struct ShapeLimits {
 struct SurfaceDistance {
   double firstMl = 0.0;
   double secondMl = 0.0;
-  double meanMm = 0.0;
-  double hausdorff95Mm = 0.0;
-  double maxMm = 0.0;
+  DistanceSummary between;
 };
 
 /// @pre both have triangles

@@ -7,6 +7,7 @@
 #include "anatomy/central_airways.h"
 #include "core/error.h"
 #include "core/parallel.h"
+#include "core/seconds.h"
 #include "geometry/surface_domain.h"
 #include "io/atomic_file.h"
 #include "io/surface_file.h"
@@ -18,10 +19,6 @@ namespace pneuma {
 namespace {
 
 namespace fs = std::filesystem;
-
-double secondsSince(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
 
 std::string quoted(const fs::path& path) { return "'" + path.string() + "'"; }
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/error.h"
+#include "core/seconds.h"
 #include "io/atomic_file.h"
 #include "io/surface_file.h"
 #include "io/tree_file.h"
@@ -24,10 +25,6 @@ constexpr std::string_view StateSchema = "pneuma/run/1";
 
 std::string name(Stage stage) {
   return std::string(choices(Stage{})[static_cast<std::size_t>(stage)]);
-}
-
-double secondsSince(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
 /// One hash of a file, or of all files below a folder with their names.
@@ -113,11 +110,11 @@ class Runner {
                       toJson(recipe_.corrections).dump() + recipe_.series.wanted + versionText() +
                       commitText());
     lungsKey_ = sha256(openKey_ + toJson(recipe_.lungs).dump() + toJson(recipe_.surfaces).dump());
-    const bool needed = !asked(Stage::Lungs) || !isKept(Stage::Lungs, lungsKey_);
-    result.state = !needed           ? StageState::Kept
+    lungsKept_ = asked(Stage::Lungs) && isKept(Stage::Lungs, lungsKey_);
+    result.state = lungsKept_        ? StageState::Kept
                    : options_.dryRun ? StageState::Planned
                                      : StageState::Done;
-    if (!needed || options_.dryRun) return result;
+    if (lungsKept_ || options_.dryRun) return result;
     CtFile file = readCt(recipe_.ct, recipe_.corrections, progress.part(0.3, 1.0, "reading the CT"),
                          recipe_.series);
     result.warnings = file.warnings;
@@ -129,7 +126,7 @@ class Runner {
 
   StageResult lungs(const Progress& progress) {
     if (!asked(Stage::Lungs)) return {Stage::Lungs, StageState::NotAsked, 0.0, {}, {}};
-    if (isKept(Stage::Lungs, lungsKey_)) return kept(Stage::Lungs);
+    if (lungsKept_) return kept(Stage::Lungs);
     upstreamChanged_ = true;
     StageResult result{Stage::Lungs, StageState::Planned, 0.0, {}, {}};
     if (options_.dryRun) return result;
@@ -152,11 +149,8 @@ class Runner {
                 {{"method", "measured in a CT"}, {"version", versionText()}});
       result.files.emplace_back(run_files::Central);
     }
-    Json report = reportEnvelope("pneuma/segment/1", model_.inputs, toJson(recipe_.lungs), 0);
-    addLungs(model_, report);
     result.seconds = secondsSince(start);
-    report["timing_s"] = {{"read", 0.0}, {"find", result.seconds}};
-    report["peak_memory_mb"] = peakMemoryMb();
+    const Json report = segmentReport(model_, recipe_.lungs, 0.0, result.seconds);
     writeFile(in(run_files::Lungs), report.dump(2) + "\n");
     result.files.emplace_back(run_files::Lungs);
     result.state = StageState::Done;
@@ -242,6 +236,7 @@ class Runner {
   std::string openKey_;
   std::string lungsKey_;
   std::string airwaysKey_;
+  bool lungsKept_ = false;  ///< hashing their files twice would take as long as reading a CT
   bool upstreamChanged_ = false;
 };
 

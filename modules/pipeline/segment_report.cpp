@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "pipeline/figure_table.h"
+#include "pipeline/report.h"
 
 namespace pneuma {
 namespace {
@@ -78,8 +79,10 @@ std::string sentence(const SegmentationCheck& check) {
          fixed(check.low, digits) + " to " + fixed(check.high, digits) + unit + "; " + check.advice;
 }
 
-void addLungs(const LungModel& model, Json& report) {
+Json segmentReport(const LungModel& model, const LungOptions& options, double readSeconds,
+                   double findSeconds) {
   const LungSegmentation& lungs = *model.lungs;
+  Json report = reportEnvelope("pneuma/segment/1", model.inputs, toJson(options), 0);
   report["lungs"] = {{"right", toJson(lungs.right)}, {"left", toJson(lungs.left)}};
   report["separated"] = lungs.separated;
   report["bridge_mm"] = lungs.bridgeMm;
@@ -95,6 +98,9 @@ void addLungs(const LungModel& model, Json& report) {
                                 {"ok", check.ok()}});
   }
   report["warnings"] = model.warnings;
+  report["timing_s"] = {{"read", readSeconds}, {"find", findSeconds}};
+  report["peak_memory_mb"] = peakMemoryMb();
+  return report;
 }
 
 std::string lungsText(const LungModel& model) {

@@ -6,10 +6,11 @@
 
 namespace pneuma {
 
-/// Lungs, airways and checks of a model as JSON: part of the report of `pneuma segment`
-/// ("pneuma/segment/1", resources/schemas/segment.schema.json).
-/// @pre model.lungs is set
-void addLungs(const LungModel& model, Json& report);
+/// The report of `pneuma segment` ("pneuma/segment/1", resources/schemas/segment.schema.json):
+/// lungs, airways and checks of a model. @pre model.lungs is set
+/// @param readSeconds, findSeconds for "timing_s"
+Json segmentReport(const LungModel& model, const LungOptions& options, double readSeconds,
+                   double findSeconds);
 
 /// The same as a table for people.
 std::string lungsText(const LungModel& model);

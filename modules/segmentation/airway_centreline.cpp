@@ -56,10 +56,7 @@ Ways waysOf(const ImageGeometry& geometry, const AirwayMask& mask) {
     low = low.cwiseMin(at(v));
     high = high.cwiseMax(at(v));
   }
-  ways.box.low = low - Eigen::Vector3i::Ones();  // one voxel of outside all around
-  for (int axis = 0; axis < 3; ++axis) {
-    ways.box.size[static_cast<std::size_t>(axis)] = high[axis] - low[axis] + 3;
-  }
+  ways.box = boxAround(low, high);  // one voxel of outside all around
   ways.indexIn.assign(ways.box.voxelCount(), -1);
   std::vector<std::uint8_t> outside(ways.box.voxelCount(), 1);
   for (const std::uint32_t v : mask.voxels) {

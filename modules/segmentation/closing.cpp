@@ -31,13 +31,8 @@ void fillHoles(std::vector<std::uint8_t>& set, const std::array<int, 3>& size) {
     return part.low.minCoeff() > 0 && part.high.x() + 1 < size[0] && part.high.y() + 1 < size[1] &&
            part.high.z() + 1 < size[2];
   };
-  for (std::size_t row = 0; row < empty.rowCount(); ++row) {
-    for (std::uint32_t r = empty.rowStart[row]; r < empty.rowStart[row + 1]; ++r) {
-      if (!isHole(parts.all[parts.ofRun[r]])) continue;
-      const auto first = set.begin() + static_cast<std::ptrdiff_t>(empty.rowVoxel(row));
-      std::fill(first + empty.runs[r].first, first + empty.runs[r].end, std::uint8_t{1});
-    }
-  }
+  fillRuns(
+      empty, [&](std::uint32_t r) { return isHole(parts.all[parts.ofRun[r]]); }, 1, set);
 }
 
 std::size_t keepLargest(std::vector<std::uint8_t>& set, const std::array<int, 3>& size) {
@@ -45,14 +40,23 @@ std::size_t keepLargest(std::vector<std::uint8_t>& set, const std::array<int, 3>
   const VoxelComponents parts = components(runs, Connection::InVolume);
   const std::vector<std::size_t> order = parts.bySize();
   if (order.empty()) return 0;
-  for (std::size_t row = 0; row < runs.rowCount(); ++row) {
-    for (std::uint32_t r = runs.rowStart[row]; r < runs.rowStart[row + 1]; ++r) {
-      if (parts.ofRun[r] == order[0]) continue;
-      const auto first = set.begin() + static_cast<std::ptrdiff_t>(runs.rowVoxel(row));
-      std::fill(first + runs.runs[r].first, first + runs.runs[r].end, std::uint8_t{0});
-    }
-  }
+  fillRuns(
+      runs, [&](std::uint32_t r) { return parts.ofRun[r] != order[0]; }, 0, set);
   return parts.all[order[0]].voxels;
+}
+
+std::vector<std::uint8_t> maskOf(const LabelImage& labels, std::uint8_t label,
+                                 const VoxelBox& box) {
+  std::vector<std::uint8_t> mask(box.voxelCount(), 0);
+  parallelFor(static_cast<std::size_t>(box.size[2]), [&](std::size_t k) {
+    forEachRow(box, labels.geometry, static_cast<int>(k),
+               [&](std::size_t at, std::size_t v, std::size_t count) {
+                 for (std::size_t i = 0; i < count; ++i) {
+                   mask[at + i] = labels.voxels[v + i] == label ? 1 : 0;
+                 }
+               });
+  });
+  return mask;
 }
 
 VoxelBox boxOf(const LabelImage& labels, std::uint8_t label, double marginMm) {

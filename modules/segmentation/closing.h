@@ -25,4 +25,7 @@ std::size_t keepLargest(std::vector<std::uint8_t>& set, const std::array<int, 3>
 /// lung may go on there. Its size is 0 if there is no such voxel.
 VoxelBox boxOf(const LabelImage& labels, std::uint8_t label, double marginMm);
 
+/// The voxels of a box, one byte each: 1 where they carry a label, else 0.
+std::vector<std::uint8_t> maskOf(const LabelImage& labels, std::uint8_t label, const VoxelBox& box);
+
 }  // namespace pneuma

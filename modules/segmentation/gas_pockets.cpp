@@ -7,10 +7,10 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "anatomy/lobe.h"
 #include "core/units.h"
 #include "segmentation/closing.h"
 #include "segmentation/distance_map.h"
+#include "segmentation/lung_labels.h"
 #include "segmentation/lung_separation.h"
 #include "segmentation/voxel_runs.h"
 
@@ -89,13 +89,9 @@ class Pocket {
       : ct_(ct), labels_(labels), label_(label) {
     const Vec3& spacing = ct.geometry.spacing;
     const VoxelComponent& component = parts.all[part];
-    for (int axis = 0; axis < 3; ++axis) {
-      const int margin = static_cast<int>(std::ceil(1.5 * LungFromMm / spacing[axis])) + 1;
-      box_.low[axis] = component.low[axis] + lungBox.low[axis] - margin;
-      box_.size[static_cast<std::size_t>(axis)] =
-          component.high[axis] - component.low[axis] + 1 + 2 * margin;
-    }
-    box_ = within(box_, ct.geometry);
+    const Eigen::Vector3i margin = (1.5 * LungFromMm / spacing.array()).ceil().cast<int>() + 1;
+    box_ = within(boxAround(component.low + lungBox.low, component.high + lungBox.low, margin),
+                  ct.geometry);
     marks_.assign(box_.voxelCount(), 0);
     const Eigen::Vector3i shift = lungBox.low - box_.low;
     const auto rows = static_cast<std::size_t>(runs.size[1]);
@@ -190,8 +186,7 @@ double removeGasPockets(const CtImage& ct, LabelImage& labels, const Progress& p
   const double voxelMl = millilitres(ct.geometry.voxelMm3());
   std::size_t removed = 0;
   std::array<VoxelBox, 2> boxes;
-  const std::array<std::uint8_t, 2> lungs = {static_cast<std::uint8_t>(Lobe::RightLung),
-                                             static_cast<std::uint8_t>(Lobe::LeftLung)};
+  const std::array<std::uint8_t, 2> lungs = {RightLabel, LeftLabel};
   int bottom = ct.geometry.size[2];
   int top = 0;
   for (std::size_t n = 0; n < 2; ++n) {

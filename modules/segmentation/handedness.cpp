@@ -4,14 +4,11 @@
 #include <array>
 #include <vector>
 
-#include "anatomy/lobe.h"
 #include "segmentation/closing.h"
+#include "segmentation/lung_labels.h"
 
 namespace pneuma {
 namespace {
-
-constexpr auto Right = static_cast<std::uint8_t>(Lobe::RightLung);
-constexpr auto Left = static_cast<std::uint8_t>(Lobe::LeftLung);
 
 // Heights in which the heart lies, as shares of the lungs' from their base.
 constexpr double HeartLow = 0.2;
@@ -61,8 +58,8 @@ double heartShare(const LabelImage& labels, const VoxelBox& both, double middle)
       int outer = -1;
       for (int i = both.low.x(); i < both.low.x() + both.size[0] && outer < 0; ++i) {
         const std::uint8_t there = labels.at(i, j, k);
-        if (there == Right) inner = i;
-        if (there == Left && inner >= 0) outer = i;
+        if (there == RightLabel) inner = i;
+        if (there == LeftLabel && inner >= 0) outer = i;
       }
       if (inner < 0 || outer < 0) continue;
       left += std::max(0.0, outer - middle);
@@ -75,8 +72,8 @@ double heartShare(const LabelImage& labels, const VoxelBox& both, double middle)
 }  // namespace
 
 Handedness handednessOf(const LabelImage& labels, double middle) {
-  const VoxelBox right = within(boxOf(labels, Right, 0.0), labels.geometry);
-  const VoxelBox left = within(boxOf(labels, Left, 0.0), labels.geometry);
+  const VoxelBox right = within(boxOf(labels, RightLabel, 0.0), labels.geometry);
+  const VoxelBox left = within(boxOf(labels, LeftLabel, 0.0), labels.geometry);
   if (right.voxelCount() == 0 || left.voxelCount() == 0) return {};
   VoxelBox both;
   both.low = right.low.cwiseMin(left.low);
@@ -90,9 +87,9 @@ Handedness handednessOf(const LabelImage& labels, double middle) {
   };
   Handedness hands;
   hands.heart = vote(heartShare(labels, both, middle), -HeartShare, HeartShare);
-  hands.volume = vote(count(Right) / count(Left), LargerLeft, LargerRight);
-  hands.dome =
-      vote(domeMm(labels, Right, right) - domeMm(labels, Left, left), -HigherDomeMm, HigherDomeMm);
+  hands.volume = vote(count(RightLabel) / count(LeftLabel), LargerLeft, LargerRight);
+  hands.dome = vote(domeMm(labels, RightLabel, right) - domeMm(labels, LeftLabel, left),
+                    -HigherDomeMm, HigherDomeMm);
   return hands;
 }
 

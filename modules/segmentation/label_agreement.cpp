@@ -9,6 +9,7 @@
 #include "core/units.h"
 #include "segmentation/closing.h"
 #include "segmentation/distance_map.h"
+#include "segmentation/distance_summary.h"
 
 namespace pneuma {
 namespace {
@@ -54,10 +55,7 @@ Pair pairOf(const LabelImage& first, const LabelImage& second, const Chosen& cho
     }
   }
   if (high.x() < 0) return pair;
-  pair.box.low = low - Eigen::Vector3i::Ones();
-  for (int axis = 0; axis < 3; ++axis) {
-    pair.box.size[static_cast<std::size_t>(axis)] = high[axis] - low[axis] + 3;
-  }
+  pair.box = boxAround(low, high);
   pair.first.assign(pair.box.voxelCount(), 0);
   pair.second.assign(pair.box.voxelCount(), 0);
   forEachRow(pair.box, first.geometry, [&](std::size_t at, std::size_t v, std::size_t count) {
@@ -87,7 +85,7 @@ std::vector<std::uint8_t> boundaryOf(const std::vector<std::uint8_t>& mask, cons
   return boundary;
 }
 
-/// Distances from every voxel of one boundary to the other, mm, ascending.
+/// Distances from every voxel of one boundary to the other, mm.
 std::vector<double> distancesTo(const std::vector<std::uint8_t>& from,
                                 const std::vector<std::uint8_t>& to, const VoxelBox& box,
                                 const Vec3& spacing) {
@@ -97,7 +95,6 @@ std::vector<double> distancesTo(const std::vector<std::uint8_t>& from,
   for (std::size_t v = 0; v < from.size(); ++v) {
     if (from[v] != 0) distances.push_back(std::sqrt(static_cast<double>(map[v])));
   }
-  std::sort(distances.begin(), distances.end());
   return distances;
 }
 
@@ -122,16 +119,10 @@ LabelAgreement agreementOf(const LabelImage& first, const LabelImage& second,
   const Vec3& spacing = first.geometry.spacing;
   const auto a = boundaryOf(pair.first, pair.box);
   const auto b = boundaryOf(pair.second, pair.box);
-  double sum = 0.0;
-  double count = 0.0;
-  for (const auto& distances :
-       {distancesTo(a, b, pair.box, spacing), distancesTo(b, a, pair.box, spacing)}) {
-    for (const double d : distances) sum += d;
-    count += static_cast<double>(distances.size());
-    const auto rank = static_cast<std::size_t>(0.95 * static_cast<double>(distances.size() - 1));
-    result.hausdorff95Mm = std::max(result.hausdorff95Mm, distances[rank]);
-  }
-  result.meanMm = sum / count;
+  const DistanceSummary distances =
+      summaryOf(distancesTo(a, b, pair.box, spacing), distancesTo(b, a, pair.box, spacing));
+  result.meanMm = distances.meanMm;
+  result.hausdorff95Mm = distances.hausdorff95Mm;
   return result;
 }
 

@@ -14,10 +14,10 @@
 #include <vtkUnsignedCharArray.h>
 #include <vtkWindowedSincPolyDataFilter.h>
 
-#include "anatomy/lobe.h"
 #include "core/error.h"
 #include "geometry/mesh_topology.h"
 #include "segmentation/closing.h"
+#include "segmentation/lung_labels.h"
 
 namespace pneuma {
 namespace {
@@ -45,18 +45,12 @@ Body bodyOf(const LabelImage& labels, std::uint8_t label) {
   // A lung may end with the slices; its surface is closed all the same.
   body.box.low.z() -= 1;
   body.box.size[2] += 2;
-  body.mask.assign(body.box.voxelCount(), 0);
-  forEachRow(body.box, labels.geometry, [&](std::size_t at, std::size_t v, std::size_t count) {
-    for (std::size_t i = 0; i < count; ++i) {
-      body.mask[at + i] = labels.voxels[v + i] == label ? 1 : 0;
-    }
-  });
+  body.mask = maskOf(labels, label, body.box);
   std::vector<std::uint8_t> closed = body.mask;
   closeByBall(closed, body.box.size, labels.geometry.spacing, HilumMm);
-  constexpr auto Airway = static_cast<std::uint8_t>(Lobe::Central);
   forEachRow(body.box, labels.geometry, [&](std::size_t at, std::size_t v, std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) {
-      if (closed[at + i] != 0 && labels.voxels[v + i] == Airway) body.mask[at + i] = 1;
+      if (closed[at + i] != 0 && labels.voxels[v + i] == AirwayLabel) body.mask[at + i] = 1;
     }
   });
   fillHoles(body.mask, body.box.size);

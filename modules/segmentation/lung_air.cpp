@@ -4,9 +4,9 @@
 #include <cmath>
 #include <optional>
 
-#include "anatomy/lobe.h"
 #include "core/error.h"
 #include "core/units.h"
+#include "segmentation/lung_labels.h"
 #include "segmentation/lung_separation.h"
 
 namespace pneuma {
@@ -16,9 +16,6 @@ constexpr double MarginMm = 1.4;  ///< around airways, in plane: their walls are
 constexpr double LeastLungMl = 100.0;
 constexpr double LeastShare = 0.15;  ///< of the smaller lung, to the larger
 constexpr double OneSidedMm = 20.0;  ///< the centre of a single lung lies this far from the middle
-
-constexpr auto Right = static_cast<std::uint8_t>(Lobe::RightLung);
-constexpr auto Left = static_cast<std::uint8_t>(Lobe::LeftLung);
 
 /// Marks what lies within the margin of the airways' voxels, and in the slices above and below.
 void widen(const std::vector<std::uint32_t>& airways, LabelImage& labels) {
@@ -75,25 +72,17 @@ VoxelRuns unmarked(const VoxelRuns& air, const LabelImage& labels) {
 
 void paint(const VoxelRuns& runs, const VoxelComponents& parts, std::size_t part,
            std::uint8_t label, LabelImage& labels) {
-  for (std::size_t row = 0; row < runs.rowCount(); ++row) {
-    for (std::uint32_t r = runs.rowStart[row]; r < runs.rowStart[row + 1]; ++r) {
-      if (parts.ofRun[r] != part) continue;
-      const auto first = labels.voxels.begin() + static_cast<std::ptrdiff_t>(runs.rowVoxel(row));
-      std::fill(first + runs.runs[r].first, first + runs.runs[r].end, label);
-    }
-  }
+  fillRuns(
+      runs, [&](std::uint32_t r) { return parts.ofRun[r] == part; }, label, labels.voxels);
 }
 
-/// Cuts one part that is both lungs; false if it does not fall in two.
+/// Cuts one part that is both lungs and returns the bridge's radius; none if it does not fall in
+/// two.
 std::optional<double> cutAndPaint(const VoxelRuns& runs, const VoxelComponents& parts,
                                   std::size_t part, double middle, LabelImage& labels,
                                   const Progress& progress) {
   const VoxelComponent& whole = parts.all[part];
-  const VoxelBox box =
-      within({whole.low - Eigen::Vector3i::Ones(),
-              {whole.high.x() - whole.low.x() + 3, whole.high.y() - whole.low.y() + 3,
-               whole.high.z() - whole.low.z() + 3}},
-             labels.geometry);
+  const VoxelBox box = within(boxAround(whole.low, whole.high), labels.geometry);
   std::vector<std::uint8_t> set(box.voxelCount(), 0);
   const auto rows = static_cast<std::size_t>(runs.size[1]);
   for (int k = whole.low.z(); k <= whole.high.z(); ++k) {
@@ -109,7 +98,7 @@ std::optional<double> cutAndPaint(const VoxelRuns& runs, const VoxelComponents& 
   if (!separation.done) return std::nullopt;
   forEachRow(box, labels.geometry, [&](std::size_t at, std::size_t v, std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) {
-      if (set[at + i] != 0) labels.voxels[v + i] = set[at + i] == 1 ? Right : Left;
+      if (set[at + i] != 0) labels.voxels[v + i] = set[at + i] == 1 ? RightLabel : LeftLabel;
     }
   });
   return separation.radiusMm;
@@ -139,7 +128,9 @@ LungAir findLungAir(const CtImage& ct, const InnerAir& air, const AirwayMask& ai
   const auto fromMiddleMm = [&](std::size_t n) {
     return (parts.all[order[n]].centre().x() - middle) * ct.geometry.spacing.x();
   };
-  const auto labelOf = [&](std::size_t n) { return fromMiddleMm(n) < 0.0 ? Right : Left; };
+  const auto labelOf = [&](std::size_t n) {
+    return fromMiddleMm(n) < 0.0 ? RightLabel : LeftLabel;
+  };
 
   const VoxelComponent& first = parts.all[order[0]];
   // Bowel may be larger than a share of a lung, but does not reach to its middle.
@@ -155,22 +146,22 @@ LungAir findLungAir(const CtImage& ct, const InnerAir& air, const AirwayMask& ai
   if (twoLungs) {
     paint(runs, parts, order[0], labelOf(0), labels);
     paint(runs, parts, order[second], labelOf(second), labels);
-    return {};
+    return {.middle = middle};
   }
   const std::optional<double> bridge =
       cutAndPaint(runs, parts, order[0], middle, labels, progress.part(0.2, 1.0, "separating"));
-  if (bridge) return {true, *bridge};
+  if (bridge) return {.bridgeMm = *bridge, .middle = middle};
   // One lung alone, or two that are one: then the middle has to do.
   const bool single = std::abs(fromMiddleMm(0)) > OneSidedMm &&
                       (first.low.x() - middle) * (first.high.x() - middle) > 0.0;
-  paint(runs, parts, order[0], single ? labelOf(0) : Left, labels);
-  if (single) return {true, 0.0};
+  paint(runs, parts, order[0], single ? labelOf(0) : LeftLabel, labels);
+  if (single) return {.middle = middle};
   const int cut = static_cast<int>(std::lround(middle));
   for (std::size_t v = 0; v < labels.voxels.size(); ++v) {
     const auto i = static_cast<int>(v % static_cast<std::size_t>(ct.geometry.size[0]));
-    if (labels.voxels[v] == Left && i < cut) labels.voxels[v] = Right;
+    if (labels.voxels[v] == LeftLabel && i < cut) labels.voxels[v] = RightLabel;
   }
-  return {false, 0.0};
+  return {.separated = false, .middle = middle};
 }
 
 }  // namespace pneuma

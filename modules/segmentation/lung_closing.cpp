@@ -3,16 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "anatomy/lobe.h"
 #include "core/parallel.h"
 #include "core/units.h"
 #include "segmentation/closing.h"
 #include "segmentation/inner_air.h"
+#include "segmentation/lung_labels.h"
 
 namespace pneuma {
 namespace {
-
-constexpr auto Airway = static_cast<std::uint8_t>(Lobe::Central);
 
 // Balls of the repair of dense parts; the larger one tells whether it matters.
 constexpr double SoftRepairMm = 20.0;
@@ -28,21 +26,6 @@ double ballMm(const LungOptions& options) {
     default:
       return options.closingMm;
   }
-}
-
-/// The voxels of a box that carry a label, one byte each.
-std::vector<std::uint8_t> maskOf(const LabelImage& labels, std::uint8_t label,
-                                 const VoxelBox& box) {
-  std::vector<std::uint8_t> mask(box.voxelCount(), 0);
-  parallelFor(static_cast<std::size_t>(box.size[2]), [&](std::size_t k) {
-    forEachRow(box, labels.geometry, static_cast<int>(k),
-               [&](std::size_t at, std::size_t v, std::size_t count) {
-                 for (std::size_t i = 0; i < count; ++i) {
-                   mask[at + i] = labels.voxels[v + i] == label ? 1 : 0;
-                 }
-               });
-  });
-  return mask;
 }
 
 /// What closing by the ball of the strong repair would add to a lung, as a share of it.
@@ -139,7 +122,7 @@ LungFinding closeLung(const CtImage& ct, std::uint8_t label, const LungOptions& 
     for (std::size_t i = 0; i < count; ++i) {
       const std::uint8_t there = labels.voxels[v + i];
       if (there == 0 || there == label) continue;
-      if (there == Airway && mask[at + i] != 0) ++airways;
+      if (there == AirwayLabel && mask[at + i] != 0) ++airways;
       mask[at + i] = 0;
     }
   });

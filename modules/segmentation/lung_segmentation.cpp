@@ -2,21 +2,17 @@
 
 #include <utility>
 
-#include "anatomy/lobe.h"
 #include "segmentation/airway_centreline.h"
 #include "segmentation/airway_segmentation.h"
 #include "segmentation/gas_pockets.h"
 #include "segmentation/inner_air.h"
 #include "segmentation/lung_air.h"
 #include "segmentation/lung_closing.h"
+#include "segmentation/lung_labels.h"
 #include "segmentation/segmentation_checks.h"
 
 namespace pneuma {
 namespace {
-
-constexpr auto Right = static_cast<std::uint8_t>(Lobe::RightLung);
-constexpr auto Left = static_cast<std::uint8_t>(Lobe::LeftLung);
-constexpr auto Airway = static_cast<std::uint8_t>(Lobe::Central);
 
 AirwayFinding findingOf(const AirwayMask& mask) {
   return {mask.found(),     mask.tracheaLengthMm, mask.baseThresholdHu, mask.volumeMl,
@@ -38,7 +34,7 @@ LungSegmentation segmentUpright(const CtImage& ct, const LungOptions& options,
                              progress.part(0.1, 0.3, "following airways"));
     const LungAir lungs =
         findLungAir(ct, air, airways, labels, progress.part(0.3, 0.5, "telling the lungs apart"));
-    middle = airways.found() ? airways.tracheaCentre.x() : air.bodyCentre;
+    middle = lungs.middle;
     result.separated = lungs.separated;
     result.bridgeMm = lungs.bridgeMm;
   }
@@ -46,14 +42,14 @@ LungSegmentation segmentUpright(const CtImage& ct, const LungOptions& options,
     result.gasRemovedMl =
         removeGasPockets(ct, labels, progress.part(0.5, 0.55, "looking for gas of the stomach"));
   }
-  for (const std::uint32_t v : airways.voxels) labels.voxels[v] = Airway;
+  for (const std::uint32_t v : airways.voxels) labels.voxels[v] = AirwayLabel;
   result.airways = findingOf(airways);
   result.central =
       airwayCentreline(ct.geometry, airways, progress.part(0.55, 0.6, "drawing the centreline"));
   result.names = nameBronchi(result.central);
   airways = {};
-  result.right = closeLung(ct, Right, options, labels, progress.part(0.6, 0.8, "closing"));
-  result.left = closeLung(ct, Left, options, labels, progress.part(0.8, 1.0, "closing"));
+  result.right = closeLung(ct, RightLabel, options, labels, progress.part(0.6, 0.8, "closing"));
+  result.left = closeLung(ct, LeftLabel, options, labels, progress.part(0.8, 1.0, "closing"));
   result.hands = handednessOf(labels, middle);
   return result;
 }

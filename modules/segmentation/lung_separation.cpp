@@ -100,15 +100,10 @@ Separation separateLungs(const VoxelBox& box, const Vec3& spacing, double middle
     if (!areLungs(parts, order, middleInBox)) continue;
     std::fill(set.begin(), set.end(), std::uint8_t{0});
     const bool firstIsRight = parts.all[order[0]].centre().x() < middleInBox;
-    for (std::size_t r = 0, row = 0; row < wide.rowCount(); ++row) {
-      for (; r < wide.rowStart[row + 1]; ++r) {
-        const std::size_t part = parts.ofRun[r];
-        if (part != order[0] && part != order[1]) continue;
-        const bool right = (part == order[0]) == firstIsRight;
-        const auto first = set.begin() + static_cast<std::ptrdiff_t>(wide.rowVoxel(row));
-        std::fill(first + wide.runs[r].first, first + wide.runs[r].end,
-                  right ? std::uint8_t{1} : std::uint8_t{2});
-      }
+    for (const std::size_t lung : {order[0], order[1]}) {
+      const bool right = (lung == order[0]) == firstIsRight;
+      fillRuns(
+          wide, [&](std::uint32_t r) { return parts.ofRun[r] == lung; }, right ? 1 : 2, set);
     }
     floodByDistance(box, distance2, set, progress);
     progress.report(1.0);

@@ -26,6 +26,13 @@ struct VoxelBox {
   }
 };
 
+/// The box from voxel `low` to voxel `high`, both included, `margin` voxels larger on every side.
+inline VoxelBox boxAround(const Eigen::Vector3i& low, const Eigen::Vector3i& high,
+                          const Eigen::Vector3i& margin = Eigen::Vector3i::Ones()) {
+  const Eigen::Vector3i size = high - low + 2 * margin + Eigen::Vector3i::Ones();
+  return {low - margin, {size.x(), size.y(), size.z()}};
+}
+
 /// The part of a box that lies in the image.
 inline VoxelBox within(const VoxelBox& box, const ImageGeometry& geometry) {
   VoxelBox part;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -71,6 +72,19 @@ void forEachRun(const VoxelRuns& set, int k, F&& f) {
     for (std::uint32_t r = set.rowStart[row]; r < set.rowStart[row + 1]; ++r) {
       f(row, set.runs[r], r);
     }
+  }
+}
+
+/// Writes `value` into the voxels of every run for which `chosen(indexOfRun)` holds.
+template <class Chosen>
+void fillRuns(const VoxelRuns& set, const Chosen& chosen, std::uint8_t value,
+              std::vector<std::uint8_t>& voxels) {
+  for (int k = 0; k < set.size[2]; ++k) {
+    forEachRun(set, k, [&](std::size_t row, const VoxelRun& run, std::uint32_t r) {
+      if (!chosen(r)) return;
+      const auto first = voxels.begin() + static_cast<std::ptrdiff_t>(set.rowVoxel(row));
+      std::fill(first + run.first, first + run.end, value);
+    });
   }
 }
 

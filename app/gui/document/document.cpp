@@ -3,6 +3,7 @@
 #include <chrono>
 #include <utility>
 
+#include "core/seconds.h"
 #include "document/text.h"
 #include "io/atomic_file.h"
 #include "io/tree_file.h"
@@ -178,8 +179,7 @@ void Document::findLungs() {
     Snapshot next =
         snapshotOf(withSurfaces(found, {}, progress.part(0.7, 1.0, "drawing surfaces")), name);
     next.lungOptions = options;
-    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
-    return JobQueue::Continuation([this, next = std::move(next), seconds = took.count()] {
+    return JobQueue::Continuation([this, next = std::move(next), seconds = secondsSince(start)] {
       emit said(tr("Found the lungs in %1: right %2, left %3")
                     .arg(withUnit(seconds, 1, "s"),
                          withUnit(next.model.lungs->right.volumeMl, 0, "mL"),
