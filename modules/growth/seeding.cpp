@@ -13,6 +13,7 @@ namespace pneuma {
 namespace {
 
 constexpr double MostNodes = 40e6;
+constexpr std::size_t MovesBetweenStops = 4096;
 
 std::vector<Vec3> nodesInside(const Domain& domain, const Vec3& anchor, double spacing,
                               const Progress& progress) {
@@ -38,12 +39,19 @@ std::vector<Vec3> nodesInside(const Domain& domain, const Vec3& anchor, double s
       }
   });
   std::vector<Vec3> points;
-  for (const auto& some : inPlane) points.insert(points.end(), some.begin(), some.end());
+  for (auto& some : inPlane) {
+    progress.throwIfStopped();
+    points.insert(points.end(), some.begin(), some.end());
+    some = {};
+  }
   return points;
 }
 
-void move(std::vector<Vec3>& points, const Domain& domain, double reachMm, Random& random) {
+void move(std::vector<Vec3>& points, const Domain& domain, double reachMm, Random& random,
+          const Progress& progress) {
+  std::size_t moves = 0;
   for (Vec3& p : points) {
+    if (++moves % MovesBetweenStops == 0) progress.throwIfStopped();
     const double x = random.uniform(-reachMm, reachMm);
     const double y = random.uniform(-reachMm, reachMm);
     const double z = random.uniform(-reachMm, reachMm);
@@ -71,11 +79,11 @@ SeedPoints lattice(std::span<const LobeRegion> lobes, double spacingMm, const Pr
 }
 
 void jitterPoints(SeedPoints& seeds, std::span<const LobeRegion> lobes, double jitter,
-                  std::uint64_t seed) {
+                  std::uint64_t seed, const Progress& progress) {
   if (jitter <= 0.0) return;
   Random random(seed);
   for (std::size_t i = 0; i < lobes.size(); ++i) {
-    move(seeds.byRegion[i], *lobes[i].domain, jitter * seeds.spacingMm / 2.0, random);
+    move(seeds.byRegion[i], *lobes[i].domain, jitter * seeds.spacingMm / 2.0, random, progress);
   }
 }
 
@@ -112,7 +120,7 @@ std::size_t SeedPoints::count() const {
 SeedPoints seedLattice(std::span<const LobeRegion> lobes, double spacingMm, double jitter,
                        std::uint64_t seed, const Progress& progress) {
   SeedPoints seeds = lattice(lobes, spacingMm, progress);
-  jitterPoints(seeds, lobes, jitter, seed);
+  jitterPoints(seeds, lobes, jitter, seed, progress);
   return seeds;
 }
 
@@ -140,7 +148,7 @@ SeedPoints seedExactly(std::span<const LobeRegion> lobes, std::size_t count, dou
     (consider(middle) ? enough : tooFew) = middle;
   }
   thin(best, best.count() - count, seed);
-  jitterPoints(best, lobes, jitter, seed);
+  jitterPoints(best, lobes, jitter, seed, progress);
   return best;
 }
 

@@ -181,7 +181,8 @@ TEST_F(CtWindowTest, TheThresholdIsSeenOnTheSlicesAtOnce) {
   clock.start();
   find<QSlider>("threshold").setValue(-700);
   const QImage preview = slice("slice_axial").picture();
-  EXPECT_LT(static_cast<double>(clock.elapsed()), 300.0 * testing::machineLoad());
+  const auto elapsedMs = static_cast<double>(clock.elapsed());  // before the load is measured
+  EXPECT_LT(elapsedMs, 300.0 * testing::machineLoad());
   EXPECT_NE(preview, before);
   EXPECT_EQ(find<QDoubleSpinBox>("option_threshold").value(), -700.0);
   EXPECT_TRUE(find<QLabel>("lungsNote").text().contains("Changed since"));
@@ -227,7 +228,8 @@ TEST_F(CtWindowTest, ScrollsFastEnough) {
     QApplication::processEvents();
   }
   // Three linked views, at least 15 steps a second.
-  EXPECT_LT(static_cast<double>(clock.elapsed()), 670.0 * testing::machineLoad());
+  const auto elapsedMs = static_cast<double>(clock.elapsed());  // before the load is measured
+  EXPECT_LT(elapsedMs, 670.0 * testing::machineLoad());
 }
 
 }  // namespace
