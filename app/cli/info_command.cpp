@@ -14,6 +14,7 @@
 #include "io/ct_file.h"
 #include "io/surface_file.h"
 #include "io/tree_file.h"
+#include "pipeline/orientation_check.h"
 #include "pipeline/report.h"
 
 namespace pneuma::cli {
@@ -119,12 +120,23 @@ FileInfo treeInfo(const std::filesystem::path& path) {
 /// Missing slices are interpolated here, so that the rest of the card can be told with them.
 FileInfo ctInfo(const std::filesystem::path& path, bool identifiers, std::vector<InputFile>& inputs,
                 const Progress& progress) {
-  const CtFile file = readCt(path, {.fillGaps = true}, progress);
+  const CtFile file = readCt(path, {.fillGaps = true}, progress.part(0.0, 0.3, "reading"));
   inputs.push_back(ctInput(path, file));
   FileInfo info;
   info.json = {{"path", path.string()}};
   info.json.update(ctJson(file, identifiers));
   info.text = path.string() + ": " + file.format + " CT\n" + ctText(file, identifiers);
+  const OrientationCheck check =
+      checkOrientation(file.image, progress.part(0.3, 1.0, "looking which lung is the right one"));
+  info.text += "  " + std::string(check.maybeSwapped() ? "! " : "") + check.sentence + "\n";
+  info.json["orientation"] = {{"checked", check.hands.has_value()},
+                              {"maybe_swapped", check.maybeSwapped()},
+                              {"says", check.sentence}};
+  if (check.hands) {
+    info.json["orientation"]["votes"] = {{"heart", check.hands->heart},
+                                         {"volume", check.hands->volume},
+                                         {"dome", check.hands->dome}};
+  }
   return info;
 }
 

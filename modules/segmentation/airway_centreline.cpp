@@ -41,7 +41,7 @@ struct Ways {
   std::vector<float> lengthMm;  ///< of the way to the root; infinite if there is none
 };
 
-Ways waysOf(const ImageGeometry& geometry, const AirwayMask& mask) {
+Ways waysOf(const ImageGeometry& geometry, const AirwayMask& mask, const Progress& progress) {
   Ways ways;
   ways.spacing = geometry.spacing;
   const std::size_t slice = geometry.sliceCount();
@@ -67,7 +67,7 @@ Ways waysOf(const ImageGeometry& geometry, const AirwayMask& mask) {
     outside[b] = 0;
   }
   const std::vector<float> distance2 =
-      squaredDistances(outside, ways.box.size, geometry.spacing, MostHalfWidthMm);
+      squaredDistances(outside, ways.box.size, geometry.spacing, MostHalfWidthMm, progress);
   for (const Eigen::Vector3i& p : ways.voxel) {
     const float d2 = distance2[ways.box.index(p.x(), p.y(), p.z())];
     ways.halfWidthMm.push_back(std::min(std::sqrt(d2), static_cast<float>(MostHalfWidthMm)));
@@ -301,8 +301,8 @@ AirwayTree treeOf(const ImageGeometry& geometry, const std::vector<Node>& nodes)
 
 AirwayTree airwayCentreline(const ImageGeometry& geometry, const AirwayMask& mask,
                             const Progress& progress) {
-  if (!mask.found()) return {};
-  Ways ways = waysOf(geometry, mask);
+  if (mask.voxels.empty()) return {};
+  Ways ways = waysOf(geometry, mask, progress);
   const auto rootAt = std::lower_bound(mask.voxels.begin(), mask.voxels.end(), mask.root);
   const auto root = static_cast<std::size_t>(rootAt - mask.voxels.begin());
   progress.report(0.3);

@@ -16,13 +16,14 @@ constexpr int SeedBelowHu = -850;
 constexpr double LeakMl = 40.0;
 constexpr int LeakBuckets = 12 / BucketHu;
 constexpr int SafetyBuckets = 8 / BucketHu;
+constexpr std::size_t VoxelsBetweenStops = std::size_t{1} << 18U;
 
 int bucketOf(int hu) { return std::max(hu - LowestHu, 0) / BucketHu; }
 
 }  // namespace
 
 AirwayBase floodTrachea(const CtImage& ct, const InnerAir& air, const Trachea& trachea,
-                        std::vector<std::uint8_t>& state) {
+                        std::vector<std::uint8_t>& state, const Progress& progress) {
   const ImageGeometry& geometry = ct.geometry;
   const double voxelMl = millilitres(geometry.voxelMm3());
   std::array<std::vector<std::uint32_t>, BucketCount> waiting;
@@ -73,6 +74,7 @@ AirwayBase floodTrachea(const CtImage& ct, const InnerAir& air, const Trachea& t
   for (current = 0; current < BucketCount; ++current) {
     auto& bucket = waiting[static_cast<std::size_t>(current)];
     for (std::size_t n = 0; n < bucket.size(); ++n) {
+      if (n % VoxelsBetweenStops == 0) progress.throwIfStopped();
       const std::uint32_t v = bucket[n];
       filled.push_back(v);
       offerNeighbours(v);

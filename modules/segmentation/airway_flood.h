@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/progress.h"
 #include "segmentation/trachea.h"
 
 namespace pneuma {
@@ -19,7 +20,9 @@ struct AirwayBase {
 /// lungs: before it grows by more than 40 ml in 12 HU. No fixed threshold does: the same airways
 /// leak at -900 HU in one CT and need -800 in another.
 /// @param state a byte for every voxel, 0; those of the base are set to 1
+/// @param progress for stopping alone
+/// @throws Cancelled
 AirwayBase floodTrachea(const CtImage& ct, const InnerAir& air, const Trachea& trachea,
-                        std::vector<std::uint8_t>& state);
+                        std::vector<std::uint8_t>& state, const Progress& progress = {});
 
 }  // namespace pneuma

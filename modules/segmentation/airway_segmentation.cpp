@@ -70,10 +70,10 @@ AirwayMask segmentAirways(const CtImage& ct, const InnerAir& air, const Wavefron
   const Trachea trachea = findTrachea(ct, air);
   if (!trachea.found()) return mask;
   progress.report(0.2);
-  const AirwayBase base = floodTrachea(ct, air, trachea, state);
+  const AirwayBase base = floodTrachea(ct, air, trachea, state, progress);
   progress.report(0.6);
   mask.root = rootVoxel(ct, air, trachea.sections[trachea.root]);
-  Wavefront front = followAirways(ct, base, mask.root, options, state);
+  Wavefront front = followAirways(ct, base, mask.root, options, state, progress);
   mask.voxels = std::move(front.voxels);
   growInSlices(ct, mask.voxels, state);
   std::sort(mask.voxels.begin(), mask.voxels.end());
@@ -83,13 +83,14 @@ AirwayMask segmentAirways(const CtImage& ct, const InnerAir& air, const Wavefron
     mask.tracheaCentre += trachea.sections[s].centre;
   }
   mask.tracheaCentre /= static_cast<double>(trachea.sections.size() - half);
-  mask.tracheaLengthMm = trachea.lengthMm(ct.geometry);
-  mask.baseThresholdHu = base.thresholdHu;
-  mask.baseMl = base.volumeMl;
-  mask.volumeMl = millilitres(static_cast<double>(mask.voxels.size()) * ct.geometry.voxelMm3());
-  mask.leaksUndone = front.leaksUndone;
-  mask.wallsMissed = front.wallsMissed;
-  mask.largestStepMl = front.largestStepMl;
+  mask.finding = {
+      .found = true,
+      .tracheaLengthMm = trachea.lengthMm(ct.geometry),
+      .baseThresholdHu = base.thresholdHu,
+      .volumeMl = millilitres(static_cast<double>(mask.voxels.size()) * ct.geometry.voxelMm3()),
+      .leaksUndone = front.leaksUndone,
+      .wallsMissed = front.wallsMissed,
+      .largestStepMl = front.largestStepMl};
   progress.report(1.0);
   return mask;
 }

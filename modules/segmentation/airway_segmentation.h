@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/progress.h"
+#include "segmentation/airway_finding.h"
 #include "segmentation/airway_wavefront.h"
 
 namespace pneuma {
@@ -14,15 +15,7 @@ struct AirwayMask {
   std::vector<std::uint32_t> voxels;  ///< of the lumen, ascending; empty if no trachea was found
   std::uint32_t root = 0;             ///< at the top of the trachea
   Vec3 tracheaCentre = Vec3::Zero();  ///< of its lower half, voxels
-  double tracheaLengthMm = 0.0;
-  double baseThresholdHu = 0.0;  ///< under which trachea and main bronchi flooded
-  double baseMl = 0.0;
-  double volumeMl = 0.0;
-  std::size_t leaksUndone = 0;
-  std::size_t wallsMissed = 0;
-  double largestStepMl = 0.0;
-
-  bool found() const { return !voxels.empty(); }
+  AirwayFinding finding;
 };
 
 /// Trachea and bronchi as far as their walls show: finds the trachea, floods the wide airways,

@@ -50,10 +50,12 @@ struct Neighbour {
 
 class Follower {
  public:
-  Follower(const CtImage& ct, const WavefrontOptions& options, std::vector<std::uint8_t>& state)
+  Follower(const CtImage& ct, const WavefrontOptions& options, std::vector<std::uint8_t>& state,
+           const Progress& progress)
       : ct_(ct),
         geometry_(ct.geometry),
         options_(options),
+        progress_(progress),
         state_(state),
         stepMm_(std::max(ct.geometry.spacing.z(), LeastStepMm)),
         width_(static_cast<std::size_t>(geometry_.size[0])),
@@ -104,6 +106,7 @@ class Follower {
     double narrowest = start.narrowestMm2;
     std::vector<Front> branch;
     while (true) {
+      progress_.throwIfStopped();
       const std::vector<Front> front = takeStep(heap, threshold);
       if (front.empty()) break;
       const Trip trip = examine(front, narrowest);
@@ -277,6 +280,7 @@ class Follower {
   const CtImage& ct_;
   const ImageGeometry& geometry_;
   WavefrontOptions options_;
+  Progress progress_;
   std::vector<std::uint8_t>& state_;
   double stepMm_;
   std::size_t width_;
@@ -290,8 +294,9 @@ class Follower {
 }  // namespace
 
 Wavefront followAirways(const CtImage& ct, const AirwayBase& base, std::uint32_t root,
-                        const WavefrontOptions& options, std::vector<std::uint8_t>& state) {
-  Wavefront result = Follower(ct, options, state).follow(root);
+                        const WavefrontOptions& options, std::vector<std::uint8_t>& state,
+                        const Progress& progress) {
+  Wavefront result = Follower(ct, options, state, progress).follow(root);
   // What flooded and was not reached again belongs to the airways all the same.
   for (const std::uint32_t v : base.voxels) {
     if (state[v] == Base) result.voxels.push_back(v);

@@ -26,7 +26,10 @@ struct Wavefront {
 /// than 1.6 times its narrowest so far, or has no wall around it, is taken back and followed again
 /// under a threshold lower by 25 HU; below -950 HU it ends before that step.
 /// @param state as floodTrachea left it: 1 in the base; 2 is added where airways were followed
+/// @param progress for stopping alone
+/// @throws Cancelled
 Wavefront followAirways(const CtImage& ct, const AirwayBase& base, std::uint32_t root,
-                        const WavefrontOptions& options, std::vector<std::uint8_t>& state);
+                        const WavefrontOptions& options, std::vector<std::uint8_t>& state,
+                        const Progress& progress = {});
 
 }  // namespace pneuma

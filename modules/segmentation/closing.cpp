@@ -10,7 +10,7 @@
 namespace pneuma {
 
 void closeByBall(std::vector<std::uint8_t>& set, const std::array<int, 3>& size,
-                 const Vec3& spacing, double radiusMm) {
+                 const Vec3& spacing, double radiusMm, const Progress& progress) {
   if (radiusMm <= 0.0) return;
   const auto replace = [&](const std::vector<float>& distance2) {
     parallelFor(static_cast<std::size_t>(size[2]), [&](std::size_t k) {
@@ -20,13 +20,17 @@ void closeByBall(std::vector<std::uint8_t>& set, const std::array<int, 3>& size,
       }
     });
   };
-  replace(squaredDistances(set, size, spacing, radiusMm));  // set where the ball does not reach
-  replace(squaredDistances(set, size, spacing, radiusMm));  // and far from there
+  replace(squaredDistances(set, size, spacing, radiusMm,
+                           progress));  // set where the ball does not reach
+  replace(squaredDistances(set, size, spacing, radiusMm, progress));  // and far from there
 }
 
-void fillHoles(std::vector<std::uint8_t>& set, const std::array<int, 3>& size) {
+void fillHoles(std::vector<std::uint8_t>& set, const std::array<int, 3>& size,
+               const Progress& progress) {
   const VoxelRuns empty = runsWhere(size, [&](std::size_t v) { return set[v] == 0; });
+  progress.throwIfStopped();
   const VoxelComponents parts = components(empty, Connection::InVolume);
+  progress.throwIfStopped();
   const auto isHole = [&](const VoxelComponent& part) {
     return part.low.minCoeff() > 0 && part.high.x() + 1 < size[0] && part.high.y() + 1 < size[1] &&
            part.high.z() + 1 < size[2];
@@ -35,8 +39,10 @@ void fillHoles(std::vector<std::uint8_t>& set, const std::array<int, 3>& size) {
       empty, [&](std::uint32_t r) { return isHole(parts.all[parts.ofRun[r]]); }, 1, set);
 }
 
-std::size_t keepLargest(std::vector<std::uint8_t>& set, const std::array<int, 3>& size) {
+std::size_t keepLargest(std::vector<std::uint8_t>& set, const std::array<int, 3>& size,
+                        const Progress& progress) {
   const VoxelRuns runs = runsWhere(size, [&](std::size_t v) { return set[v] != 0; });
+  progress.throwIfStopped();
   const VoxelComponents parts = components(runs, Connection::InVolume);
   const std::vector<std::size_t> order = parts.bySize();
   if (order.empty()) return 0;

@@ -73,10 +73,11 @@ class Envelope {
 };
 
 void alongRows(std::span<const std::uint8_t> set, const std::array<int, 3>& size, float spacing,
-               float limit, std::vector<float>& distances) {
+               float limit, std::vector<float>& distances, const Progress& progress) {
   const int n = size[0];
   const auto rows = static_cast<std::size_t>(size[1]);
   parallelFor(static_cast<std::size_t>(size[2]), [&](std::size_t k) {
+    progress.throwIfStopped();
     for (std::size_t j = 0; j < rows; ++j) {
       const std::size_t first = (k * rows + j) * static_cast<std::size_t>(n);
       const std::uint8_t* in = set.data() + first;
@@ -132,19 +133,21 @@ void alongLines(float* first, int count, int n, std::size_t stride, Envelope& en
 
 std::vector<float> squaredDistances(std::span<const std::uint8_t> set,
                                     const std::array<int, 3>& size, const Vec3& spacing,
-                                    double limitMm) {
+                                    double limitMm, const Progress& progress) {
   std::vector<float> distances(set.size());
   const auto limit = static_cast<float>(limitMm);
   const float limit2 = limit * limit;
-  alongRows(set, size, static_cast<float>(spacing.x()), limit, distances);
+  alongRows(set, size, static_cast<float>(spacing.x()), limit, distances, progress);
   const auto row = static_cast<std::size_t>(size[0]);
   const auto slice = row * static_cast<std::size_t>(size[1]);
   parallelFor(static_cast<std::size_t>(size[2]), [&](std::size_t k) {
+    progress.throwIfStopped();
     Envelope envelope(size[1], static_cast<float>(spacing.y()), limit2);
     std::vector<float> lines(Block * static_cast<std::size_t>(size[1]));
     alongLines(distances.data() + k * slice, size[0], size[1], row, envelope, lines);
   });
   parallelFor(static_cast<std::size_t>(size[1]), [&](std::size_t j) {
+    progress.throwIfStopped();
     Envelope envelope(size[2], static_cast<float>(spacing.z()), limit2);
     std::vector<float> lines(Block * static_cast<std::size_t>(size[2]));
     alongLines(distances.data() + j * row, size[0], size[2], slice, envelope, lines);

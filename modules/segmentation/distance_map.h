@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/math.h"
+#include "core/progress.h"
 
 namespace pneuma {
 
@@ -16,8 +17,10 @@ namespace pneuma {
 /// of sampled functions"), along i, j and k in turn; what is beyond the limit takes no part.
 /// @param set one byte a voxel, i fastest, nonzero where set
 /// @param spacing mm
+/// @param progress for stopping alone
+/// @throws Cancelled
 std::vector<float> squaredDistances(std::span<const std::uint8_t> set,
                                     const std::array<int, 3>& size, const Vec3& spacing,
-                                    double limitMm);
+                                    double limitMm, const Progress& progress = {});
 
 }  // namespace pneuma

@@ -112,17 +112,18 @@ class Pocket {
 
   /// Cuts the pocket off where the set is thinnest and takes it out of the lung, if there is a
   /// wall. Returns the number of voxels removed.
-  std::size_t remove(std::size_t lungVoxels) {
+  std::size_t remove(std::size_t lungVoxels, const Progress& progress) {
     std::vector<std::uint8_t> outside(marks_.size(), 0);
     forEachVoxel(
         [&](std::size_t at, std::size_t v) { outside[at] = labels_.voxels[v] == label_ ? 0 : 1; });
     const Vec3& spacing = ct_.geometry.spacing;
-    const std::vector<float> toPocket = squaredDistances(marks_, box_.size, spacing, LungFromMm);
-    const std::vector<float> inLung = squaredDistances(outside, box_.size, spacing, 30.0);
+    const std::vector<float> toPocket =
+        squaredDistances(marks_, box_.size, spacing, LungFromMm, progress);
+    const std::vector<float> inLung = squaredDistances(outside, box_.size, spacing, 30.0, progress);
     forEachVoxel([&](std::size_t at, std::size_t) {
       if (outside[at] == 0 && std::isinf(toPocket[at])) marks_[at] = LungMark;
     });
-    floodByDistance(box_, inLung, marks_);
+    floodByDistance(box_, inLung, marks_, progress);
     if (!hasWall()) return 0;
     const auto pocket =
         static_cast<std::size_t>(std::count(marks_.begin(), marks_.end(), PocketMark));
@@ -208,8 +209,9 @@ double removeGasPockets(const CtImage& ct, LabelImage& labels, const Progress& p
         static_cast<std::size_t>(std::count(labels.voxels.begin(), labels.voxels.end(), lungs[n]));
     for (std::size_t part = 0; part < parts.all.size(); ++part) {
       if (static_cast<double>(parts.all[part].voxels) * voxelMl < LeastMl) continue;
+      progress.throwIfStopped();
       Pocket pocket(ct, labels, lungs[n], box, runs, parts, part);
-      if (pocket.isUniform()) removed += pocket.remove(lungVoxels);
+      if (pocket.isUniform()) removed += pocket.remove(lungVoxels, progress);
     }
   }
   return static_cast<double>(removed) * voxelMl;

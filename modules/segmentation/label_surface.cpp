@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <string>
 
+#include <vtkAlgorithm.h>
+#include <vtkCallbackCommand.h>
 #include <vtkCellArray.h>
+#include <vtkCommand.h>
 #include <vtkDiscreteFlyingEdges3D.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
@@ -35,7 +38,7 @@ struct Body {
   std::size_t voxels = 0;
 };
 
-Body bodyOf(const LabelImage& labels, std::uint8_t label) {
+Body bodyOf(const LabelImage& labels, std::uint8_t label, const Progress& progress) {
   Body body;
   body.box = boxOf(labels, label, HilumMm);
   if (body.box.voxelCount() == 0) {
@@ -47,19 +50,34 @@ Body bodyOf(const LabelImage& labels, std::uint8_t label) {
   body.box.size[2] += 2;
   body.mask = maskOf(labels, label, body.box);
   std::vector<std::uint8_t> closed = body.mask;
-  closeByBall(closed, body.box.size, labels.geometry.spacing, HilumMm);
+  closeByBall(closed, body.box.size, labels.geometry.spacing, HilumMm, progress);
   forEachRow(body.box, labels.geometry, [&](std::size_t at, std::size_t v, std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) {
       if (closed[at + i] != 0 && labels.voxels[v + i] == AirwayLabel) body.mask[at + i] = 1;
     }
   });
-  fillHoles(body.mask, body.box.size);
-  body.voxels = keepLargest(body.mask, body.box.size);
+  fillHoles(body.mask, body.box.size, progress);
+  body.voxels = keepLargest(body.mask, body.box.size, progress);
   return body;
 }
 
+/// Lets a filter end early where the user wants to stop. @throws Cancelled
+void update(vtkAlgorithm& filter, const Progress& progress) {
+  vtkNew<vtkCallbackCommand> watch;
+  watch->SetClientData(const_cast<Progress*>(&progress));
+  watch->SetCallback([](vtkObject* caller, unsigned long, void* data, void*) {
+    if (static_cast<const Progress*>(data)->stopRequested()) {
+      static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1);
+    }
+  });
+  filter.AddObserver(vtkCommand::ProgressEvent, watch);
+  filter.Update();
+  progress.throwIfStopped();
+}
+
 /// The voxels' faces smoothed, in mm along the image's axes.
-vtkSmartPointer<vtkPolyData> smoothFaces(Body& body, const Vec3& spacing) {
+vtkSmartPointer<vtkPolyData> smoothFaces(Body& body, const Vec3& spacing,
+                                         const Progress& progress) {
   vtkNew<vtkImageData> image;
   image->SetDimensions(body.box.size[0], body.box.size[1], body.box.size[2]);
   image->SetSpacing(spacing.data());
@@ -74,6 +92,7 @@ vtkSmartPointer<vtkPolyData> smoothFaces(Body& body, const Vec3& spacing) {
   faces->ComputeNormalsOff();
   faces->ComputeGradientsOff();
   faces->ComputeScalarsOff();
+  update(*faces, progress);
   vtkNew<vtkWindowedSincPolyDataFilter> smoother;
   smoother->SetInputConnection(faces->GetOutputPort());
   smoother->SetNumberOfIterations(SmoothingIterations);
@@ -81,7 +100,7 @@ vtkSmartPointer<vtkPolyData> smoothFaces(Body& body, const Vec3& spacing) {
   smoother->NormalizeCoordinatesOn();
   smoother->BoundarySmoothingOff();
   smoother->FeatureEdgeSmoothingOff();
-  smoother->Update();
+  update(*smoother, progress);
   return smoother->GetOutput();
 }
 
@@ -107,7 +126,7 @@ TriangleMesh meshOf(vtkPolyData& surface) {
 }
 
 /// Fewer triangles; the count wanted is varied a little where the result is not closed.
-TriangleMesh decimated(vtkPolyData& surface, int triangles) {
+TriangleMesh decimated(vtkPolyData& surface, int triangles, const Progress& progress) {
   const auto all = static_cast<double>(surface.GetNumberOfCells());
   double wanted = triangles;
   for (int attempt = 0; attempt < DecimationTries; ++attempt, wanted *= 1.1) {
@@ -115,7 +134,7 @@ TriangleMesh decimated(vtkPolyData& surface, int triangles) {
     vtkNew<vtkQuadricDecimation> decimation;
     decimation->SetInputData(&surface);
     decimation->SetTargetReduction(1.0 - wanted / all);
-    decimation->Update();
+    update(*decimation, progress);
     TriangleMesh mesh = meshOf(*decimation->GetOutput());
     const MeshTopology health = topology(mesh);
     if (health.openEdges == 0 && health.nonManifoldEdges == 0 && health.misorientedEdges == 0 &&
@@ -149,14 +168,14 @@ void restoreVolume(TriangleMesh& mesh, double volumeMm3) {
 TriangleMesh labelSurface(const LabelImage& labels, std::uint8_t label,
                           const SurfaceOptions& options, const Progress& progress) {
   requireValid(options);
-  Body body = bodyOf(labels, label);
+  Body body = bodyOf(labels, label, progress);
   const ImageGeometry& geometry = labels.geometry;
   progress.report(0.4);
-  const vtkSmartPointer<vtkPolyData> smooth = smoothFaces(body, geometry.spacing);
+  const vtkSmartPointer<vtkPolyData> smooth = smoothFaces(body, geometry.spacing, progress);
   body.mask = {};
   progress.report(0.7);
   TriangleMesh mesh =
-      options.triangles > 0 ? decimated(*smooth, options.triangles) : meshOf(*smooth);
+      options.triangles > 0 ? decimated(*smooth, options.triangles, progress) : meshOf(*smooth);
   for (Vec3& point : mesh.points) point = geometry.origin + geometry.direction * point;
   if (signedVolumeMm3(mesh) < 0.0) {
     for (auto& triangle : mesh.triangles) std::swap(triangle[1], triangle[2]);
@@ -167,7 +186,7 @@ TriangleMesh labelSurface(const LabelImage& labels, std::uint8_t label,
 }
 
 double labelVolumeMm3(const LabelImage& labels, std::uint8_t label) {
-  return static_cast<double>(bodyOf(labels, label).voxels) * labels.geometry.voxelMm3();
+  return static_cast<double>(bodyOf(labels, label, {}).voxels) * labels.geometry.voxelMm3();
 }
 
 }  // namespace pneuma

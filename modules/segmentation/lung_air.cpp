@@ -124,7 +124,7 @@ LungAir findLungAir(const CtImage& ct, const InnerAir& air, const AirwayMask& ai
   }
   std::fill(labels.voxels.begin(), labels.voxels.end(), std::uint8_t{0});
   progress.report(0.2);
-  const double middle = airways.found() ? airways.tracheaCentre.x() : air.bodyCentre;
+  const double middle = airways.finding.found ? airways.tracheaCentre.x() : air.bodyCentre;
   const auto fromMiddleMm = [&](std::size_t n) {
     return (parts.all[order[n]].centre().x() - middle) * ct.geometry.spacing.x();
   };

@@ -29,7 +29,7 @@ double ballMm(const LungOptions& options) {
 }
 
 /// What closing by the ball of the strong repair would add to a lung, as a share of it.
-double denseShare(const LabelImage& labels, std::uint8_t label) {
+double denseShare(const LabelImage& labels, std::uint8_t label, const Progress& progress) {
   const VoxelBox box = boxOf(labels, label, StrongRepairMm);
   if (box.voxelCount() == 0) return 0.0;
   const Vec3& spacing = labels.geometry.spacing;
@@ -41,7 +41,10 @@ double denseShare(const LabelImage& labels, std::uint8_t label) {
   enum : std::uint8_t { Elsewhere, Lung, Other };
 
   std::vector<std::uint8_t> there;
+  there.reserve(static_cast<std::size_t>(size[0]) * static_cast<std::size_t>(size[1]) *
+                static_cast<std::size_t>(size[2]));
   for (int k = 0; k < size[2]; ++k) {
+    progress.throwIfStopped();
     for (int j = box.low.y(); j < box.low.y() + box.size[1]; j += step) {
       for (int i = box.low.x(); i < box.low.x() + box.size[0]; i += step) {
         const bool inside = i >= 0 && j >= 0 && i < width && j < height;
@@ -53,7 +56,7 @@ double denseShare(const LabelImage& labels, std::uint8_t label) {
   std::vector<std::uint8_t> closed(there.size());
   std::transform(there.begin(), there.end(), closed.begin(),
                  [](std::uint8_t v) { return v == Lung ? std::uint8_t{1} : std::uint8_t{0}; });
-  closeByBall(closed, size, spacing.cwiseProduct(Vec3(step, step, 1.0)), StrongRepairMm);
+  closeByBall(closed, size, spacing.cwiseProduct(Vec3(step, step, 1.0)), StrongRepairMm, progress);
   double before = 0.0;
   double added = 0.0;
   for (std::size_t v = 0; v < there.size(); ++v) {
@@ -112,9 +115,9 @@ LungFinding closeLung(const CtImage& ct, std::uint8_t label, const LungOptions& 
   std::vector<std::uint8_t> mask = maskOf(labels, label, box);
   finding.airMl =
       static_cast<double>(std::count(mask.begin(), mask.end(), std::uint8_t{1})) * voxelMl;
-  closeByBall(mask, box.size, geometry.spacing, radius);
+  closeByBall(mask, box.size, geometry.spacing, radius, progress);
   progress.report(0.6);
-  fillHoles(mask, box.size);
+  fillHoles(mask, box.size, progress);
 
   // What is another's stays so; then what no longer hangs together goes.
   std::size_t airways = 0;
@@ -126,7 +129,7 @@ LungFinding closeLung(const CtImage& ct, std::uint8_t label, const LungOptions& 
       mask[at + i] = 0;
     }
   });
-  const std::size_t voxels = keepLargest(mask, box.size);
+  const std::size_t voxels = keepLargest(mask, box.size, progress);
   progress.report(0.8);
   double sum = 0.0;
   forEachRow(box, geometry, [&](std::size_t at, std::size_t v, std::size_t count) {
@@ -146,7 +149,8 @@ LungFinding closeLung(const CtImage& ct, std::uint8_t label, const LungOptions& 
   finding.borderMm2 = borderMm2(ct, labels, label, box);
   finding.lowestSliceMm2 = sectionMm2(labels, label, 0);
   finding.highestSliceMm2 = sectionMm2(labels, label, geometry.size[2] - 1);
-  finding.denseShare = denseShare(labels, label);
+  progress.report(0.9);
+  finding.denseShare = denseShare(labels, label, progress);
   progress.report(1.0);
   return finding;
 }

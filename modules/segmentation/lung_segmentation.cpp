@@ -14,11 +14,6 @@
 namespace pneuma {
 namespace {
 
-AirwayFinding findingOf(const AirwayMask& mask) {
-  return {mask.found(),     mask.tracheaLengthMm, mask.baseThresholdHu, mask.volumeMl,
-          mask.leaksUndone, mask.wallsMissed,     mask.largestStepMl};
-}
-
 LungSegmentation segmentUpright(const CtImage& ct, const LungOptions& options,
                                 const Progress& progress) {
   LungSegmentation result;
@@ -43,7 +38,7 @@ LungSegmentation segmentUpright(const CtImage& ct, const LungOptions& options,
         removeGasPockets(ct, labels, progress.part(0.5, 0.55, "looking for gas of the stomach"));
   }
   for (const std::uint32_t v : airways.voxels) labels.voxels[v] = AirwayLabel;
-  result.airways = findingOf(airways);
+  result.airways = airways.finding;
   result.central =
       airwayCentreline(ct.geometry, airways, progress.part(0.55, 0.6, "drawing the centreline"));
   result.names = nameBronchi(result.central);

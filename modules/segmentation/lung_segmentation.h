@@ -10,6 +10,7 @@
 #include "core/image.h"
 #include "core/options.h"
 #include "core/progress.h"
+#include "segmentation/airway_finding.h"
 #include "segmentation/bronchus_names.h"
 #include "segmentation/handedness.h"
 
@@ -62,17 +63,6 @@ struct LungFinding {
   double borderMm2 = 0.0;        ///< of its surface at the border of what the scanner saw
   double lowestSliceMm2 = 0.0;   ///< its section in the lowest slice
   double highestSliceMm2 = 0.0;  ///< its section in the highest slice
-};
-
-/// The airways as they were found.
-struct AirwayFinding {
-  bool found = false;
-  double tracheaLengthMm = 0.0;
-  double baseThresholdHu = 0.0;
-  double volumeMl = 0.0;
-  std::size_t leaksUndone = 0;
-  std::size_t wallsMissed = 0;
-  double largestStepMl = 0.0;
 };
 
 /// A figure with the limits it should keep.

@@ -17,6 +17,8 @@ constexpr double LeastShare = 0.2;  ///< of the smaller lung, to the larger
 /// Distances fall into buckets this wide, mm.
 constexpr double BucketMm = 0.1;
 
+constexpr std::size_t VoxelsBetweenStops = std::size_t{1} << 20U;
+
 /// The two largest parts if they lie on both sides of the middle and neither is a crumb.
 bool areLungs(const VoxelComponents& parts, const std::vector<std::size_t>& order, double middle) {
   if (order.size() < 2) return false;
@@ -66,12 +68,13 @@ void floodByDistance(const VoxelBox& box, const std::vector<float>& distance2,
     if (marks[v] != 0) markers.push_back(static_cast<std::uint32_t>(v));
   }
   for (std::size_t n = 0; n < markers.size(); ++n) {
-    if (n % (1U << 20) == 0) progress.throwIfStopped();
+    if (n % VoxelsBetweenStops == 0) progress.throwIfStopped();
     offerNeighbours(markers[n]);
   }
   while (true) {
     auto& bucket = buckets[current];
     for (std::size_t n = 0; n < bucket.size(); ++n) {
+      if ((n + 1) % VoxelsBetweenStops == 0) progress.throwIfStopped();
       const std::uint32_t v = bucket[n];
       offerNeighbours(v);
     }
@@ -87,7 +90,7 @@ Separation separateLungs(const VoxelBox& box, const Vec3& spacing, double middle
   std::vector<std::uint8_t> outside(set.size());
   std::transform(set.begin(), set.end(), outside.begin(),
                  [](std::uint8_t v) { return v == 0 ? std::uint8_t{1} : std::uint8_t{0}; });
-  std::vector<float> distance2 = squaredDistances(outside, box.size, spacing, 30.0);
+  std::vector<float> distance2 = squaredDistances(outside, box.size, spacing, 30.0, progress);
   outside = {};
   progress.report(0.5);
   const double middleInBox = middle - box.low.x();

@@ -9,6 +9,13 @@ keeps() { expect "the JSON breaks $1: $("$JSON_CHECK" "$SCHEMAS/$1.schema.json" 
 succeeds "the sample chest as CT" sample chest --ct --spacing 1.6 --thick 2.5
 cp -r chest/dicom "chest/two  blanks ü"
 
+# Left and right, before anything else is asked.
+succeeds "info tells left from right" info chest/ct.nii.gz
+prints '^  left and right are as in most people'
+succeeds "a mirrored chest" sample mirror --ct --spacing 2.5 --thick 5 --mirror
+succeeds "info of a mirrored chest" info mirror/ct.nii.gz
+prints '^  ! left and right may be swapped'
+
 # Lungs, from the series and from the volume: the same.
 succeeds "lungs of a series" segment "chest/two  blanks ü" -o labels.nii.gz --surfaces lungs --central central.vtp --json
 keeps segment

@@ -8,6 +8,7 @@
 #include "io/volume_file.h"
 #include "pipeline/ct_model.h"
 #include "segmentation/label_agreement.h"
+#include "support/stop_watch_sink.h"
 
 // Lungs and airways of real people, from PNEUMA_TEST_DATA.
 namespace pneuma {
@@ -47,6 +48,15 @@ TEST(RealCt, LungsOfLidc0001) {
     const double voxels = labelVolumeMm3(*model.labels, static_cast<std::uint8_t>(surface.lobe));
     EXPECT_NEAR(signedVolumeMm3(*surface.mesh) / voxels, 1.0, 0.002);
   }
+}
+
+TEST(RealCt, FindingLungsInLidc0002CanBeStoppedAtAnyMoment) {
+  const auto path = dataPath("ct_lidc_idri_0002_lungs/lidc_idri_0002_lungs.mha");
+  NEED_DATA(path);
+  testing::StopWatchSink watch;
+  const Progress progress(watch);
+  withSurfaces(withLungs(openCt(path, {}, progress), {}, progress), {}, progress);
+  EXPECT_LT(watch.longestSeconds(), 0.5);
 }
 
 TEST(RealCt, LungsOfLungDxA0001) {

@@ -4,9 +4,12 @@
 #include <gtest/gtest.h>
 
 #include "core/parallel.h"
+#include "pipeline/orientation_check.h"
 #include "pipeline/sample_ct.h"
 #include "segmentation/label_agreement.h"
+#include "segmentation/label_surface.h"
 #include "segmentation/lung_segmentation.h"
+#include "support/stop_watch_sink.h"
 
 // Lungs and airways found in CTs of the sample chest, whose truth is known.
 namespace pneuma {
@@ -44,7 +47,7 @@ bool failed(const LungSegmentation& found, const std::string& check) {
   });
 }
 
-class SegmentSample : public testing::TestWithParam<Case> {};
+class SegmentSample : public ::testing::TestWithParam<Case> {};
 
 TEST_P(SegmentSample, AgreesWithTheTruth) {
   const SampleCtOptions& options = GetParam().options;
@@ -71,20 +74,20 @@ TEST_P(SegmentSample, AgreesWithTheTruth) {
 
 INSTANTIATE_TEST_SUITE_P(
     , SegmentSample,
-    testing::Values(with("Seed1", [](auto& o) { o.seed = 1; }),
-                    with("Seed2", [](auto& o) { o.seed = 2; }),
-                    with("Seed3", [](auto& o) { o.seed = 3; }),
-                    with("Seed4", [](auto& o) { o.seed = 4; }),
-                    with("Seed5", [](auto& o) { o.seed = 5; }),
-                    with("Tilted", [](auto& o) { o.tiltDeg = 12.0; }),
-                    with("Thin", [](auto& o) { o.thickMm = 1.25; }),
-                    with("Thick5", [](auto& o) { o.thickMm = 5.0; }),
-                    with("Thick8", [](auto& o) { o.thickMm = 8.0; }),
-                    with("Noisy", [](auto& o) { o.noiseHu = 60.0; }),
-                    with("NoNoise", [](auto& o) { o.noiseHu = 0.0; }),
-                    with("Touching4", [](auto& o) { o.touchingLungsMm = 4.0; }),
-                    with("Touching12", [](auto& o) { o.touchingLungsMm = 12.0; }),
-                    with("StomachGas", [](auto& o) { o.stomachGas = true; })),
+    ::testing::Values(with("Seed1", [](auto& o) { o.seed = 1; }),
+                      with("Seed2", [](auto& o) { o.seed = 2; }),
+                      with("Seed3", [](auto& o) { o.seed = 3; }),
+                      with("Seed4", [](auto& o) { o.seed = 4; }),
+                      with("Seed5", [](auto& o) { o.seed = 5; }),
+                      with("Tilted", [](auto& o) { o.tiltDeg = 12.0; }),
+                      with("Thin", [](auto& o) { o.thickMm = 1.25; }),
+                      with("Thick5", [](auto& o) { o.thickMm = 5.0; }),
+                      with("Thick8", [](auto& o) { o.thickMm = 8.0; }),
+                      with("Noisy", [](auto& o) { o.noiseHu = 60.0; }),
+                      with("NoNoise", [](auto& o) { o.noiseHu = 0.0; }),
+                      with("Touching4", [](auto& o) { o.touchingLungsMm = 4.0; }),
+                      with("Touching12", [](auto& o) { o.touchingLungsMm = 12.0; }),
+                      with("StomachGas", [](auto& o) { o.stomachGas = true; })),
     [](const auto& test) { return test.param.name; });
 
 TEST(SegmentedSample, TakesTheGasOfTheStomachOutAndSaysSo) {
@@ -106,6 +109,25 @@ TEST(SegmentedSample, FlagsACollapsedLung) {
   EXPECT_FALSE(failed(segmentLungs(sampleCt(chest(), usual()).image), "LUNG"));
 }
 
+TEST(OrientationOfACt, IsNotToldWithoutLungs) {
+  CtImage water;
+  water.geometry.size = {60, 60, 60};
+  water.geometry.spacing = {5.0, 5.0, 5.0};
+  water.voxels.assign(water.geometry.voxelCount(), 0);
+  const OrientationCheck check = checkOrientation(water);
+  EXPECT_FALSE(check.hands);
+  EXPECT_FALSE(check.maybeSwapped());
+  EXPECT_NE(check.sentence.find("no lungs"), std::string::npos) << check.sentence;
+}
+
+TEST(SegmentedSample, CanBeStoppedAtAnyMoment) {
+  const SampleCt sample = sampleCt(chest(), usual());
+  testing::StopWatchSink watch;
+  const LungSegmentation found = segmentLungs(sample.image, {}, Progress(watch));
+  labelSurface(found.labels, static_cast<std::uint8_t>(Lobe::RightLung), {}, Progress(watch));
+  EXPECT_LT(watch.longestSeconds(), 0.2);  // hospitals' CTs have twice as many voxels
+}
+
 TEST(SegmentedSample, WarnsOfSwappedSidesAndChangesNothing) {
   SampleCtOptions options = usual();
   options.mirror = true;
@@ -113,6 +135,8 @@ TEST(SegmentedSample, WarnsOfSwappedSidesAndChangesNothing) {
   const LungSegmentation found = segmentLungs(sample.image);
   EXPECT_TRUE(failed(found, "HANDEDNESS")) << found.hands.votes();
   EXPECT_GE(agreement(sample.truth, found.labels, 10).dice, 0.985);
+  EXPECT_TRUE(checkOrientation(sample.image).maybeSwapped());
+  EXPECT_FALSE(checkOrientation(sampleCt(chest(), usual()).image).maybeSwapped());
   EXPECT_FALSE(failed(segmentLungs(sampleCt(chest(), usual()).image), "HANDEDNESS"));
 }
 
