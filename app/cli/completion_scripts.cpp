@@ -10,7 +10,7 @@ std::string joined(const std::vector<std::string>& words, const std::string& sep
 }
 
 /// `text` as one single-quoted word of a POSIX shell.
-std::string quoted(const std::string& text) {
+std::string shellQuoted(const std::string& text) {
   std::string result = "'";
   for (const char c : text) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
   return result + "'";
@@ -47,28 +47,28 @@ std::string zshSpecification(const CompletedOption& option, const std::string& n
   std::string text = name;
   text.append("[").append(zshEscaped(option.help)).append("]");
   if (option.takesValue) text.append(":value:").append(zshAction(option));
-  return quoted(text);
+  return shellQuoted(text);
 }
 
 std::string fishOption(const std::string& command, const CompletedOption& option) {
   std::string line =
-      "complete -c pneuma -n " + quoted(std::string("__fish_seen_subcommand_from ") + command);
+      "complete -c pneuma -n " + shellQuoted(std::string("__fish_seen_subcommand_from ") + command);
   for (const std::string& name : option.shortNames) line += " -s " + name;
   for (const std::string& name : option.longNames) line += " -l " + name;
   if (!option.choices.empty()) {
-    line += (option.positional ? " -a " : " -x -a ") + quoted(joined(option.choices, " "));
+    line += (option.positional ? " -a " : " -x -a ") + shellQuoted(joined(option.choices, " "));
   } else if (option.isFile || option.isFolder) {
     line += option.positional ? " -F" : " -r -F";
   } else if (option.takesValue) {
     line += " -x";
   }
-  return line + " -d " + quoted(option.help) + "\n";
+  return line + " -d " + shellQuoted(option.help) + "\n";
 }
 
 /// What bash offers after an option that takes a value.
 std::string bashValues(const CompletedOption& option) {
   if (!option.choices.empty()) {
-    const std::string choices = quoted(joined(option.choices, " "));
+    const std::string choices = shellQuoted(joined(option.choices, " "));
     return "COMPREPLY=($(compgen -W " + choices + " -- \"$current\"))";
   }
   if (option.isFolder) return "COMPREPLY=($(compgen -d -- \"$current\"))";
@@ -95,7 +95,7 @@ std::string bashCase(const CompletedCommand& command) {
   }
   std::string text = "    " + command.name + ")\n";
   if (!values.empty()) text += "      case $previous in\n" + values + "      esac\n";
-  text += "      COMPREPLY=($(compgen -W " + quoted(joined(words, " ")) + " -- \"$current\")";
+  text += "      COMPREPLY=($(compgen -W " + shellQuoted(joined(words, " ")) + " -- \"$current\")";
   if (takesFiles) text += " $(compgen -f -- \"$current\")";
   return text + ") ;;\n";
 }
@@ -114,7 +114,7 @@ std::string bashCompletion(const std::vector<CompletedCommand>& commands) {
          "  local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD-1]}\n"
          "  if ((COMP_CWORD == 1)); then\n"
          "    COMPREPLY=($(compgen -W " +
-         quoted(joined(names, " ")) +
+         shellQuoted(joined(names, " ")) +
          " -- \"$current\"))\n"
          "    return\n"
          "  fi\n"
@@ -129,11 +129,11 @@ std::string zshCompletion(const std::vector<CompletedCommand>& commands) {
   std::string list;
   std::string cases;
   for (const CompletedCommand& command : commands) {
-    list += "    " + quoted(zshEscaped(command.name) + ":" + command.summary) + "\n";
+    list += "    " + shellQuoted(zshEscaped(command.name) + ":" + command.summary) + "\n";
     cases += "    " + command.name + ")\n      _arguments";
     for (const CompletedOption& option : command.options) {
       if (option.positional) {
-        cases += " \\\n        " + quoted("*:argument:" + zshAction(option));
+        cases += " \\\n        " + shellQuoted("*:argument:" + zshAction(option));
         continue;
       }
       for (const std::string& name : typedNames(option)) {
@@ -169,7 +169,7 @@ std::string fishCompletion(const std::vector<CompletedCommand>& commands) {
       "complete -c pneuma -f\n";
   for (const CompletedCommand& command : commands) {
     text += "complete -c pneuma -n __fish_use_subcommand -a " + command.name + " -d " +
-            quoted(command.summary) + "\n";
+            shellQuoted(command.summary) + "\n";
   }
   for (const CompletedCommand& command : commands) {
     for (const CompletedOption& option : command.options) text += fishOption(command.name, option);
