@@ -18,6 +18,7 @@ Json toJson(const LungFinding& lung) {
           {"air_ml", lung.airMl},
           {"mean_hu", lung.meanHu},
           {"dense_share", lung.denseShare},
+          {"dropped_ml", lung.droppedMl},
           {"border_mm2", lung.borderMm2},
           {"lowest_slice_mm2", lung.lowestSliceMm2},
           {"highest_slice_mm2", lung.highestSliceMm2}};
@@ -46,9 +47,11 @@ Json airwaysJson(const LungSegmentation& lungs) {
   Json airways = {{"found", found.found},
                   {"trachea_mm", found.tracheaLengthMm},
                   {"base_threshold_hu", found.baseThresholdHu},
+                  {"base_ml", found.baseMl},
                   {"volume_ml", found.volumeMl},
                   {"leaks_undone", found.leaksUndone},
                   {"walls_missed", found.wallsMissed},
+                  {"steps_followed", found.stepsFollowed},
                   {"largest_step_ml", found.largestStepMl},
                   {"branches", lungs.central.size()},
                   {"terminals", terminalCount(lungs.central)}};
@@ -74,7 +77,7 @@ Json airwaysJson(const LungSegmentation& lungs) {
 std::string sentence(const SegmentationCheck& check) {
   const std::string unit = check.unit.empty() ? "" : " " + check.unit;
   const int digits = check.unit.empty() || check.unit == "ml" ? 2 : 1;
-  if (check.low == check.high) return check.what + ": no; " + check.advice;
+  if (check.low == check.high || check.unit == "votes") return check.advice;  // yes or no
   return check.what + ": " + fixed(check.value, digits) + unit + ", outside " +
          fixed(check.low, digits) + " to " + fixed(check.high, digits) + unit + "; " + check.advice;
 }
@@ -87,6 +90,7 @@ Json segmentReport(const LungModel& model, const LungOptions& options, double re
   report["separated"] = lungs.separated;
   report["bridge_mm"] = lungs.bridgeMm;
   report["gas_removed_ml"] = lungs.gasRemovedMl;
+  report["air_elsewhere_ml"] = lungs.airElsewhereMl;
   report["airways"] = airwaysJson(lungs);
   for (const SegmentationCheck& check : lungs.checks) {
     report["checks"].push_back({{"id", check.id},

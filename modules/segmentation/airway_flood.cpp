@@ -14,6 +14,7 @@ constexpr int BucketHu = 4;
 constexpr int BucketCount = (HighestHu - LowestHu) / BucketHu + 1;
 constexpr int SeedBelowHu = -850;
 constexpr double LeakMl = 40.0;
+constexpr double MostMl = 150.0;  ///< no trachea and bronchi hold more
 constexpr int LeakBuckets = 12 / BucketHu;
 constexpr int SafetyBuckets = 8 / BucketHu;
 constexpr std::size_t VoxelsBetweenStops = std::size_t{1} << 18U;
@@ -82,7 +83,8 @@ AirwayBase floodTrachea(const CtImage& ct, const InnerAir& air, const Trachea& t
     filledUpTo[static_cast<std::size_t>(current)] = filled.size();
     const std::size_t before =
         current < LeakBuckets ? 0 : filledUpTo[static_cast<std::size_t>(current - LeakBuckets)];
-    if (before > 0 && static_cast<double>(filled.size() - before) * voxelMl > LeakMl) {
+    const bool tooMuch = static_cast<double>(filled.size()) * voxelMl > MostMl;
+    if (tooMuch || (before > 0 && static_cast<double>(filled.size() - before) * voxelMl > LeakMl)) {
       last = current - LeakBuckets - SafetyBuckets;
       break;
     }

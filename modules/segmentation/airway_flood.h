@@ -17,7 +17,8 @@ struct AirwayBase {
 
 /// Floods from the trachea in the order of rising density (a minimax path, so that one pass tells
 /// the volume for every threshold) and takes what was filled well before the flood breaks into the
-/// lungs: before it grows by more than 40 ml in 12 HU. No fixed threshold does: the same airways
+/// lungs: before it grows by more than 40 ml in 12 HU or beyond
+/// 150 ml. No fixed threshold does: the same airways
 /// leak at -900 HU in one CT and need -800 in another.
 /// @param state a byte for every voxel, 0; those of the base are set to 1
 /// @param progress for stopping alone

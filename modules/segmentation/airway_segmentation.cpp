@@ -1,6 +1,7 @@
 #include "segmentation/airway_segmentation.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "core/units.h"
 
@@ -10,22 +11,30 @@ namespace {
 constexpr int GrowSteps = 2;
 constexpr int GrowBelowHu = -700;
 
-/// The voxel of a section that is nearest to its centre.
-std::uint32_t rootVoxel(const CtImage& ct, const InnerAir& air, const TracheaSection& section) {
-  std::uint32_t best = 0;
-  double nearest = 1e30;
-  const auto rows = static_cast<std::size_t>(ct.geometry.size[1]);
-  forEachRun(air.runs, section.slice, [&](std::size_t row, const VoxelRun& run, std::uint32_t r) {
-    if (air.inSlices.ofRun[r] != section.part) return;
-    const double dy = static_cast<double>(row % rows) - section.centre.y();
-    for (int i = run.first; i < run.end; ++i) {
-      const double dx = i - section.centre.x();
-      if (dx * dx + dy * dy >= nearest) continue;
-      nearest = dx * dx + dy * dy;
-      best = static_cast<std::uint32_t>(air.runs.rowVoxel(row) + static_cast<std::size_t>(i));
-    }
+/// The base's voxels in its highest slice: there the airways begin.
+std::vector<std::uint32_t> topOf(const AirwayBase& base, const ImageGeometry& geometry) {
+  const std::size_t slice = geometry.sliceCount();
+  const std::uint32_t highest = *std::max_element(base.voxels.begin(), base.voxels.end());
+  const std::size_t first = highest / slice * slice;
+  std::vector<std::uint32_t> top;
+  std::copy_if(base.voxels.begin(), base.voxels.end(), std::back_inserter(top),
+               [&](std::uint32_t v) { return v >= first; });
+  return top;
+}
+
+/// The one of some voxels of a slice that is nearest to their centre.
+std::uint32_t middleOf(const std::vector<std::uint32_t>& voxels, const ImageGeometry& geometry) {
+  const auto width = static_cast<std::size_t>(geometry.size[0]);
+  const auto at = [&](std::uint32_t v) -> Vec3 {
+    const std::size_t inSlice = v % geometry.sliceCount();
+    return Vec3(static_cast<double>(inSlice % width), static_cast<double>(inSlice / width), 0.0)
+        .cwiseProduct(geometry.spacing);
+  };
+  Vec3 centre = Vec3::Zero();
+  for (const std::uint32_t v : voxels) centre += at(v) / static_cast<double>(voxels.size());
+  return *std::min_element(voxels.begin(), voxels.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return (at(a) - centre).squaredNorm() < (at(b) - centre).squaredNorm();
   });
-  return best;
 }
 
 /// Grows the mask in its slices: into air where two neighbours belong to it, into anything where
@@ -72,8 +81,10 @@ AirwayMask segmentAirways(const CtImage& ct, const InnerAir& air, const Wavefron
   progress.report(0.2);
   const AirwayBase base = floodTrachea(ct, air, trachea, state, progress);
   progress.report(0.6);
-  mask.root = rootVoxel(ct, air, trachea.sections[trachea.root]);
-  Wavefront front = followAirways(ct, base, mask.root, options, state, progress);
+  if (base.voxels.empty()) return mask;
+  const std::vector<std::uint32_t> top = topOf(base, ct.geometry);
+  mask.root = middleOf(top, ct.geometry);
+  Wavefront front = followAirways(ct, base, top, options, state, progress);
   mask.voxels = std::move(front.voxels);
   growInSlices(ct, mask.voxels, state);
   std::sort(mask.voxels.begin(), mask.voxels.end());
@@ -87,9 +98,11 @@ AirwayMask segmentAirways(const CtImage& ct, const InnerAir& air, const Wavefron
       .found = true,
       .tracheaLengthMm = trachea.lengthMm(ct.geometry),
       .baseThresholdHu = base.thresholdHu,
+      .baseMl = base.volumeMl,
       .volumeMl = millilitres(static_cast<double>(mask.voxels.size()) * ct.geometry.voxelMm3()),
       .leaksUndone = front.leaksUndone,
       .wallsMissed = front.wallsMissed,
+      .stepsFollowed = front.stepsFollowed,
       .largestStepMl = front.largestStepMl};
   progress.report(1.0);
   return mask;

@@ -74,8 +74,11 @@ class Follower {
     }
   }
 
-  Wavefront follow(std::uint32_t root) {
-    starts_.push_back({{{0.0F, root}}});
+  Wavefront follow(const std::vector<std::uint32_t>& top) {
+    topSlice_ = static_cast<int>(top.front() / slice_);
+    Start first;
+    for (const std::uint32_t v : top) first.heap.push_back({0.0F, v});
+    starts_.push_back(std::move(first));
     while (!starts_.empty()) {
       const Start start = std::move(starts_.front());
       starts_.pop_front();
@@ -147,7 +150,7 @@ class Follower {
       const int x = i + n.step[0];
       const int y = j + n.step[1];
       const int z = k + n.step[2];
-      if (x < 0 || y < 0 || z < 0 || x >= size[0] || y >= size[1] || z >= size[2]) continue;
+      if (x < 0 || y < 0 || z < 0 || x >= size[0] || y >= size[1] || z > topSlice_) continue;
       f(static_cast<std::uint32_t>(static_cast<std::ptrdiff_t>(voxel) + n.offset), n);
     }
   }
@@ -192,6 +195,7 @@ class Follower {
     lumen /= static_cast<double>(front.size());
     if (ringHu(front) - lumen < options_.wallContrastHu) return Trip::NoWall;
     narrowest = std::min(narrowest, area);
+    ++result_.stepsFollowed;
     result_.largestStepMl = std::max(result_.largestStepMl, ml);
     return Trip::None;
   }
@@ -285,6 +289,7 @@ class Follower {
   double stepMm_;
   std::size_t width_;
   std::size_t slice_;
+  int topSlice_ = 0;
   std::vector<Neighbour> neighbours_;
   std::deque<Start> starts_;
   std::vector<std::uint32_t> ring_;
@@ -293,10 +298,10 @@ class Follower {
 
 }  // namespace
 
-Wavefront followAirways(const CtImage& ct, const AirwayBase& base, std::uint32_t root,
-                        const WavefrontOptions& options, std::vector<std::uint8_t>& state,
-                        const Progress& progress) {
-  Wavefront result = Follower(ct, options, state, progress).follow(root);
+Wavefront followAirways(const CtImage& ct, const AirwayBase& base,
+                        const std::vector<std::uint32_t>& top, const WavefrontOptions& options,
+                        std::vector<std::uint8_t>& state, const Progress& progress) {
+  Wavefront result = Follower(ct, options, state, progress).follow(top);
   // What flooded and was not reached again belongs to the airways all the same.
   for (const std::uint32_t v : base.voxels) {
     if (state[v] == Base) result.voxels.push_back(v);

@@ -125,11 +125,14 @@ class Pocket {
     });
     floodByDistance(box_, inLung, marks_, progress);
     if (!hasWall()) return 0;
-    const auto pocket =
-        static_cast<std::size_t>(std::count(marks_.begin(), marks_.end(), PocketMark));
+    // Of the label: another pocket may have taken some of it.
+    std::size_t pocket = 0;
+    forEachVoxel([&](std::size_t at, std::size_t v) {
+      if (marks_[at] == PocketMark && labels_.voxels[v] == label_) ++pocket;
+    });
     if (static_cast<double>(pocket) > MostShare * static_cast<double>(lungVoxels)) return 0;
     forEachVoxel([&](std::size_t at, std::size_t v) {
-      if (marks_[at] == PocketMark) labels_.voxels[v] = 0;
+      if (marks_[at] == PocketMark && labels_.voxels[v] == label_) labels_.voxels[v] = 0;
     });
     return pocket;
   }

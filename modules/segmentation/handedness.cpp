@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "segmentation/closing.h"
@@ -23,8 +24,8 @@ constexpr double DomeShare = 0.8;  ///< of the columns of a lung that its dome's
 int vote(double value, double low, double high) { return value > high ? 1 : value < low ? -1 : 0; }
 
 /// Height of the top of the dome below a lung: its lowest voxel in the columns where that lies
-/// highest, mm.
-double domeMm(const LabelImage& labels, std::uint8_t lung, const VoxelBox& box) {
+/// highest, mm. None if no column is long enough.
+std::optional<double> domeMm(const LabelImage& labels, std::uint8_t lung, const VoxelBox& box) {
   std::vector<int> lowest;
   for (int j = 0; j < box.size[1]; ++j) {
     for (int i = 0; i < box.size[0]; ++i) {
@@ -39,7 +40,7 @@ double domeMm(const LabelImage& labels, std::uint8_t lung, const VoxelBox& box) 
       if (2 * count > box.size[2]) lowest.push_back(box.low.z() + first);
     }
   }
-  if (lowest.empty()) return 0.0;
+  if (lowest.empty()) return std::nullopt;
   const auto at = lowest.begin() +
                   static_cast<std::ptrdiff_t>(DomeShare * static_cast<double>(lowest.size() - 1));
   std::nth_element(lowest.begin(), at, lowest.end());
@@ -88,8 +89,9 @@ Handedness handednessOf(const LabelImage& labels, double middle) {
   Handedness hands;
   hands.heart = vote(heartShare(labels, both, middle), -HeartShare, HeartShare);
   hands.volume = vote(count(RightLabel) / count(LeftLabel), LargerLeft, LargerRight);
-  hands.dome = vote(domeMm(labels, RightLabel, right) - domeMm(labels, LeftLabel, left),
-                    -HigherDomeMm, HigherDomeMm);
+  const std::optional<double> rightDome = domeMm(labels, RightLabel, right);
+  const std::optional<double> leftDome = domeMm(labels, LeftLabel, left);
+  if (rightDome && leftDome) hands.dome = vote(*rightDome - *leftDome, -HigherDomeMm, HigherDomeMm);
   return hands;
 }
 

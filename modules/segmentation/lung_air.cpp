@@ -15,6 +15,7 @@ namespace {
 constexpr double MarginMm = 1.4;  ///< around airways, in plane: their walls are no lung
 constexpr double LeastLungMl = 100.0;
 constexpr double LeastShare = 0.15;  ///< of the smaller lung, to the larger
+constexpr double CrumbMl = 1.0;      ///< smaller spaces of air do not count
 constexpr double OneSidedMm = 20.0;  ///< the centre of a single lung lies this far from the middle
 
 /// Marks what lies within the margin of the airways' voxels, and in the slices above and below.
@@ -104,6 +105,21 @@ std::optional<double> cutAndPaint(const VoxelRuns& runs, const VoxelComponents& 
   return separation.radiusMm;
 }
 
+/// Air of all spaces but the lungs, at the height of the upper two thirds of the largest.
+double elsewhereMl(const VoxelComponents& parts, const std::vector<std::size_t>& order,
+                   std::size_t second, double voxelMl) {
+  const VoxelComponent& first = parts.all[order[0]];
+  const double least = first.low.z() + (first.high.z() - first.low.z()) / 3.0;
+  double sum = 0.0;
+  for (std::size_t n = 1; n < order.size(); ++n) {
+    const VoxelComponent& part = parts.all[order[n]];
+    const double ml = static_cast<double>(part.voxels) * voxelMl;
+    if (ml < CrumbMl) break;
+    if (n != second && part.centre().z() >= least) sum += ml;
+  }
+  return sum;
+}
+
 }  // namespace
 
 LungAir findLungAir(const CtImage& ct, const InnerAir& air, const AirwayMask& airways,
@@ -146,22 +162,23 @@ LungAir findLungAir(const CtImage& ct, const InnerAir& air, const AirwayMask& ai
   if (twoLungs) {
     paint(runs, parts, order[0], labelOf(0), labels);
     paint(runs, parts, order[second], labelOf(second), labels);
-    return {.middle = middle};
+    return {.middle = middle, .elsewhereMl = elsewhereMl(parts, order, second, voxelMl)};
   }
+  const double elsewhere = elsewhereMl(parts, order, 0, voxelMl);
   const std::optional<double> bridge =
       cutAndPaint(runs, parts, order[0], middle, labels, progress.part(0.2, 1.0, "separating"));
-  if (bridge) return {.bridgeMm = *bridge, .middle = middle};
+  if (bridge) return {.bridgeMm = *bridge, .middle = middle, .elsewhereMl = elsewhere};
   // One lung alone, or two that are one: then the middle has to do.
   const bool single = std::abs(fromMiddleMm(0)) > OneSidedMm &&
                       (first.low.x() - middle) * (first.high.x() - middle) > 0.0;
   paint(runs, parts, order[0], single ? labelOf(0) : LeftLabel, labels);
-  if (single) return {.middle = middle};
+  if (single) return {.middle = middle, .elsewhereMl = elsewhere};
   const int cut = static_cast<int>(std::lround(middle));
   for (std::size_t v = 0; v < labels.voxels.size(); ++v) {
     const auto i = static_cast<int>(v % static_cast<std::size_t>(ct.geometry.size[0]));
     if (labels.voxels[v] == LeftLabel && i < cut) labels.voxels[v] = RightLabel;
   }
-  return {.separated = false, .middle = middle};
+  return {.separated = false, .middle = middle, .elsewhereMl = elsewhere};
 }
 
 }  // namespace pneuma

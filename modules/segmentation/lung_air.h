@@ -11,8 +11,10 @@ namespace pneuma {
 struct LungAir {
   bool separated = true;
   double bridgeMm = 0.0;
-  double middle =
-      0.0;  ///< of the body along i: the trachea, or the middle of all soft tissue; voxels
+  double middle = 0.0;  ///< of the body along i: the trachea, or the middle of all soft tissue;
+                        ///< voxels
+  double elsewhereMl =
+      0.0;  ///< of other spaces of air at the height of the lungs' upper two thirds
 };
 
 /// Marks the air of the right lung by 10 and that of the left one by 20 in `labels`: the two

@@ -129,7 +129,9 @@ LungFinding closeLung(const CtImage& ct, std::uint8_t label, const LungOptions& 
       mask[at + i] = 0;
     }
   });
+  const auto all = static_cast<std::size_t>(std::count(mask.begin(), mask.end(), std::uint8_t{1}));
   const std::size_t voxels = keepLargest(mask, box.size, progress);
+  finding.droppedMl = static_cast<double>(all - voxels) * voxelMl;
   progress.report(0.8);
   double sum = 0.0;
   forEachRow(box, geometry, [&](std::size_t at, std::size_t v, std::size_t count) {

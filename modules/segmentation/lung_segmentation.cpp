@@ -1,7 +1,11 @@
 #include "segmentation/lung_segmentation.h"
 
+#include <cstdint>
+#include <limits>
+#include <string>
 #include <utility>
 
+#include "core/error.h"
 #include "segmentation/airway_centreline.h"
 #include "segmentation/airway_segmentation.h"
 #include "segmentation/gas_pockets.h"
@@ -32,6 +36,7 @@ LungSegmentation segmentUpright(const CtImage& ct, const LungOptions& options,
     middle = lungs.middle;
     result.separated = lungs.separated;
     result.bridgeMm = lungs.bridgeMm;
+    result.airElsewhereMl = lungs.elsewhereMl;
   }
   if (options.gas == GasPockets::Remove) {
     result.gasRemovedMl =
@@ -54,6 +59,10 @@ LungSegmentation segmentUpright(const CtImage& ct, const LungOptions& options,
 LungSegmentation segmentLungs(const CtImage& ct, const LungOptions& options,
                               const Progress& progress) {
   requireValid(options);
+  if (ct.voxels.size() > std::numeric_limits<std::uint32_t>::max()) {
+    throw Unsupported("a CT of " + std::to_string(ct.voxels.size()) +
+                      " voxels is too large for finding lungs; crop or resample it below 4.29e9");
+  }
   const AxisOrder order = patientAxes(ct.geometry);
   LungSegmentation result = order.isIdentity()
                                 ? segmentUpright(ct, options, progress)

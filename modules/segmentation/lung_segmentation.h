@@ -60,6 +60,7 @@ struct LungFinding {
   double airMl = 0.0;            ///< what was under the threshold, before closing
   double meanHu = 0.0;           ///< vessels included
   double denseShare = 0.0;       ///< what closing by a ball of 30 mm would add, as a share
+  double droppedMl = 0.0;        ///< pieces that do not hang together with it, left out
   double borderMm2 = 0.0;        ///< of its surface at the border of what the scanner saw
   double lowestSliceMm2 = 0.0;   ///< its section in the lowest slice
   double highestSliceMm2 = 0.0;  ///< its section in the highest slice
@@ -89,7 +90,8 @@ struct LungSegmentation {
   bool separated = true;  ///< false if nothing told the lungs apart but the middle
   double bridgeMm = 0.0;  ///< radius of the bridge between the lungs that was cut
   double gasRemovedMl = 0.0;
-  Handedness hands;  ///< whether left and right look swapped
+  double airElsewhereMl = 0.0;  ///< in spaces beside the upper two thirds of the lungs, in no label
+  Handedness hands;             ///< whether left and right look swapped
   std::vector<SegmentationCheck> checks;
 };
 

@@ -120,6 +120,96 @@ TEST(OrientationOfACt, IsNotToldWithoutLungs) {
   EXPECT_NE(check.sentence.find("no lungs"), std::string::npos) << check.sentence;
 }
 
+/// A sample at 2 mm: fast, lobar bronchi still there.
+SampleCt coarseSample() {
+  SampleCtOptions options;
+  options.spacingMm = 1.5;
+  options.thickMm = 2.5;
+  return sampleCt(chest(), options);
+}
+
+/// Sets the density of what is airway in the truth, where `wanted(i, j, k)` holds.
+template <class Wanted>
+void fillAirways(SampleCt& sample, std::int16_t hu, const Wanted& wanted) {
+  const auto [width, height, depth] = sample.image.geometry.size;
+  for (int k = 0; k < depth; ++k) {
+    for (int j = 0; j < height; ++j) {
+      for (int i = 0; i < width; ++i) {
+        if (sample.truth.at(i, j, k) == 6 && wanted(i, j, k)) sample.image.at(i, j, k) = hu;
+      }
+    }
+  }
+}
+
+/// Slices in which the truth has airways: the highest.
+int highestAirway(const SampleCt& sample) {
+  int k = sample.image.geometry.size[2] - 1;
+  const std::size_t slice = sample.image.geometry.sliceCount();
+  const auto& voxels = sample.truth.voxels;
+  for (; k > 0; --k) {
+    const auto first = voxels.begin() + static_cast<std::ptrdiff_t>(slice) * k;
+    if (std::find(first, first + static_cast<std::ptrdiff_t>(slice), 6) !=
+        first + static_cast<std::ptrdiff_t>(slice))
+      break;
+  }
+  return k;
+}
+
+TEST(SegmentedSample, FollowsTheAirwaysWhateverTheTracheasTopSlicesHold) {
+  SampleCt sample = coarseSample();
+  const LungSegmentation plain = segmentLungs(sample.image);
+  ASSERT_TRUE(plain.names.carina);
+  ASSERT_GT(plain.airways.stepsFollowed, 10U);
+  EXPECT_EQ(plain.central[0].distal, *plain.names.carina) << "something forks above the carina";
+  const int top = highestAirway(sample);
+  fillAirways(sample, -700, [&](int, int, int k) { return k > top - 3; });  // a larynx' slime
+  const LungSegmentation dense = segmentLungs(sample.image);
+  ASSERT_TRUE(dense.names.carina);
+  EXPECT_LT((*dense.names.carina - *plain.names.carina).norm(), 3.0);
+  EXPECT_EQ(dense.names.lobarCount(), plain.names.lobarCount());
+  EXPECT_NEAR(dense.airways.volumeMl / plain.airways.volumeMl, 1.0, 0.1);
+}
+
+TEST(SegmentedSample, SaysWhereNoTracheaIs) {
+  SampleCt sample = coarseSample();
+  fillAirways(sample, 30, [](int, int, int) { return true; });
+  const LungSegmentation found = segmentLungs(sample.image);
+  EXPECT_FALSE(found.airways.found);
+  EXPECT_TRUE(found.central.empty());
+  EXPECT_TRUE(failed(found, "AIRWAY-TRACHEA"));
+  EXPECT_GE(agreement(sample.truth, found.labels, 10).dice, 0.98);
+}
+
+TEST(SegmentedSample, FindsALungThatIsAlone) {
+  SampleCt sample = coarseSample();
+  for (std::size_t v = 0; v < sample.truth.voxels.size(); ++v) {
+    if (sample.truth.voxels[v] == 20) sample.image.voxels[v] = 30;
+  }
+  const LungSegmentation found = segmentLungs(sample.image);
+  EXPECT_GE(agreement(sample.truth, found.labels, 10).dice, 0.98);
+  EXPECT_LT(found.left.volumeMl, 50.0);
+  EXPECT_TRUE(failed(found, "LUNG-L-VOLUME"));
+}
+
+TEST(SegmentedSample, SaysThatAPartOfALungHangsTogetherWithNeither) {
+  SampleCt sample = coarseSample();
+  const LungSegmentation whole = segmentLungs(sample.image);
+  EXPECT_LT(whole.airElsewhereMl, 5.0);
+  // A band of fluid cuts the right lung's apex off.
+  const auto [width, height, depth] = sample.image.geometry.size;
+  const int cut = 3 * depth / 4;
+  for (int k = cut; k < cut + 14; ++k) {
+    for (int j = 0; j < height; ++j) {
+      for (int i = 0; i < width; ++i) {
+        if (sample.truth.at(i, j, k) == 10) sample.image.at(i, j, k) = 20;
+      }
+    }
+  }
+  const LungSegmentation found = segmentLungs(sample.image);
+  EXPECT_GT(found.airElsewhereMl, 50.0);
+  EXPECT_TRUE(failed(found, "LUNG-PARTED"));
+}
+
 TEST(SegmentedSample, CanBeStoppedAtAnyMoment) {
   const SampleCt sample = sampleCt(chest(), usual());
   testing::StopWatchSink watch;
@@ -135,6 +225,7 @@ TEST(SegmentedSample, WarnsOfSwappedSidesAndChangesNothing) {
   const LungSegmentation found = segmentLungs(sample.image);
   EXPECT_TRUE(failed(found, "HANDEDNESS")) << found.hands.votes();
   EXPECT_GE(agreement(sample.truth, found.labels, 10).dice, 0.985);
+  EXPECT_GE(agreement(sample.truth, found.labels, 20).dice, 0.985);
   EXPECT_TRUE(checkOrientation(sample.image).maybeSwapped());
   EXPECT_FALSE(checkOrientation(sampleCt(chest(), usual()).image).maybeSwapped());
   EXPECT_FALSE(failed(segmentLungs(sampleCt(chest(), usual()).image), "HANDEDNESS"));
@@ -150,7 +241,15 @@ TEST(SegmentedSample, IsTheSameForAnyOrderOfTheAxesAndAnyNumberOfThreads) {
   const LungSegmentation other = segmentLungs(turned(image, order));
   EXPECT_EQ(turned(other.labels, inverse(order)).voxels, found.labels.voxels);
   const ThreadLimit one(1);
-  EXPECT_EQ(segmentLungs(image).labels.voxels, found.labels.voxels);
+  const LungSegmentation alone = segmentLungs(image);
+  EXPECT_EQ(alone.labels.voxels, found.labels.voxels);
+  ASSERT_EQ(alone.central.size(), found.central.size());
+  for (std::size_t b = 0; b < found.central.size(); ++b) {
+    EXPECT_EQ(alone.central[b].distal, found.central[b].distal);
+    EXPECT_EQ(alone.central[b].radiusMm, found.central[b].radiusMm);
+  }
+  EXPECT_EQ(alone.right.denseShare, found.right.denseShare);
+  EXPECT_EQ(alone.left.meanHu, found.left.meanHu);
 }
 
 TEST(SegmentLungs, RefusesWhatHoldsNoLungs) {
