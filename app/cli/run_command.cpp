@@ -35,12 +35,11 @@ Stage stageOf(const std::string& text, const std::string& option) {
 class MadeFolder {
  public:
   explicit MadeFolder(std::filesystem::path path)
-      : path_(std::move(path)), was_(std::filesystem::exists(path_)) {}
+      : path_(std::move(path)), was_(std::filesystem::exists(path_, ignored_)) {}
 
   ~MadeFolder() {
-    std::error_code ignored;
-    if (!was_ && std::filesystem::is_empty(path_, ignored)) {
-      std::filesystem::remove(path_, ignored);
+    if (!was_ && std::filesystem::is_empty(path_, ignored_)) {
+      std::filesystem::remove(path_, ignored_);
     }
   }
 
@@ -48,6 +47,7 @@ class MadeFolder {
   MadeFolder& operator=(const MadeFolder&) = delete;
 
  private:
+  std::error_code ignored_;
   std::filesystem::path path_;
   bool was_;
 };
@@ -93,7 +93,10 @@ ExitCode runRun(const RunArguments& arguments, const CommonOptions& common,
     options.from = stageOf(arguments.from, "--from");
     options.anew = true;
   }
-  if (std::filesystem::exists(options.folder) && !std::filesystem::is_directory(options.folder)) {
+  options.existing = common.existing();
+  std::error_code ignored;
+  if (std::filesystem::exists(options.folder, ignored) &&
+      !std::filesystem::is_directory(options.folder, ignored)) {
     throw OutputFailed("'" + options.folder.string() +
                        "' is a file; --output of run names a folder");
   }
@@ -121,6 +124,8 @@ Run declareRun(CLI::App& app, CommonOptions& common) {
                  "The folder for labels, surfaces, airways, tree and reports.")
       ->type_name("FOLDER")
       ->required();
+  app.add_flag("-f,--force", common.force,
+               "Replace files in the folder that no run left, or that were changed.");
   app.add_option("--from", arguments->from, "Do this stage and those after it anew.")
       ->type_name(choiceType(choices(Stage{})));
   app.add_option("--up-to", arguments->upTo, "Stop after this stage.")

@@ -52,6 +52,13 @@ struct SeriesChoice {
 /// @throws InvalidOption if there is no such one; the refusal of the best if none can be read
 const DicomSeries& chosenSeries(const std::vector<DicomSeries>& all, const SeriesChoice& choice);
 
+/// The files that readCt() would read: those of the chosen series, the archive that holds it, or a
+/// volume and the file of its voxels.
+/// @throws as readCt() before it reads a voxel
+std::vector<std::filesystem::path> ctInputFiles(const std::filesystem::path& path,
+                                                const SeriesChoice& choice = {},
+                                                const Progress& progress = {});
+
 /// Reads a CT.
 /// @throws InputMissing, InvalidInput (gaps, damage: see readDicomSeries), Unsupported (no CT, not
 /// in HU), Error (OutOfMemory), Cancelled

@@ -50,6 +50,7 @@ VolumeLayout checkedLayout(const std::filesystem::path& path) {
   VolumeLayout layout = layoutOf(file);
   VolumeHeader& header = layout.header;
   header.scalarType = nameOf(layout.scalar);
+  header.dataFile = layout.dataFile;
   header.memoryBytes = header.geometry.voxelCount() * sizeof(CtImage::value_type);
   const std::string promised = formatOfName(path);
   if (!promised.empty() && promised != header.format) {

@@ -21,6 +21,7 @@ struct VolumeHeader {
   std::string space;               ///< the frame in the file's own words, "" if it names none
   std::vector<std::string> notes;  ///< whole sentences: what was assumed or converted
   std::uint64_t memoryBytes = 0;   ///< of the CtImage that it will become
+  std::filesystem::path dataFile;  ///< where its voxels are: the file itself, or one beside it
 };
 
 /// True if the content is NIfTI, NRRD or MetaImage; where the content cannot be read, if the name

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/progress.h"
+#include "io/atomic_file.h"
 #include "pipeline/recipe.h"
 
 namespace pneuma {
@@ -24,6 +25,7 @@ struct RunOptions {
   bool anew = false;           ///< `from` was asked for; else what is there already is kept
   Stage upTo = Stage::Export;  ///< the last stage that is done
   bool dryRun = false;         ///< only say what would be done
+  Existing existing = Existing::Refuse;  ///< files that are there and not as a run left them
 };
 
 /// What became of a stage.
@@ -44,7 +46,9 @@ struct StageResult {
 /// Does a recipe: CT, lungs and central airways, a grown tree, files of further formats. A stage
 /// whose input, options and program are those of the run before, and whose files are still what
 /// they were, is kept: run.json in the folder holds their hashes. Files are written aside and
-/// renamed, run.json last, so that a run that is stopped leaves nothing that counts as done.
+/// renamed, run.json last, so that a run that is stopped leaves nothing that counts as done. What a
+/// run before left of a stage that is done anew, and of those after it, is removed; a file that is
+/// not as a run left it stops the run before it begins, and the CT is never overwritten.
 /// @throws as readCt(), segmentLungs(), growAirways(); OutputFailed; Cancelled
 std::vector<StageResult> runRecipe(const Recipe& recipe, const RunOptions& options,
                                    const Progress& progress = {});

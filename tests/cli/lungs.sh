@@ -72,14 +72,39 @@ succeeds "with other options for the tree" run recipe.json -o out
 prints '^ *lungs +kept'
 prints '^ *airways +done'
 prints '^ *export +done'
+cp out/right.vtp right-before.vtp
 echo >>out/left.vtp
-succeeds "with a surface that was changed" run recipe.json -o out --up-to lungs
+refuses "a surface that somebody changed" 6 "left.vtp' was changed since.*--force" run recipe.json -o out --up-to lungs
+succeeds "with a surface that was changed, all the same" run recipe.json -o out --up-to lungs --force
 prints '^ *lungs +done'
+expect "the tree of other lungs is still there" test ! -e out/tree.vtp
+cmp -s out/right.vtp right-before.vtp || fail "the same options give another surface"
 prints '^ *airways +not asked for'
 succeeds "from the airways on" run recipe.json -o out --from airways
 prints '^ *lungs +kept'
 prints '^ *airways +done'
 succeeds "without a recipe" run --ct chest/dicom -o plain --up-to lungs -q
+
+# The key is what was read: all slices of a file's series, and nothing else in the folder.
+cp -r chest/dicom series
+first="series/$(ls series | head -n 1)"
+last="series/$(ls series | tail -n 1)"
+succeeds "one file of a series" run --ct "$first" -o one --up-to lungs -q
+mkdir series/deep && cp labels.nii.gz series/deep
+succeeds "with a file beside it that is no part of it" run --ct "$first" -o one --up-to lungs
+prints '^ *lungs +kept'
+rm "$last"
+succeeds "with a slice less" run --ct "$first" -o one --up-to lungs
+prints '^ *lungs +done'
+echo '{"schema": "pneuma/run/1", "stages": {"lungs": [1]}}' >one/run.json
+refuses "a state that is none" 6 'was not left by a run' run --ct series -o one --up-to lungs
+mkdir foreign && echo mine >foreign/labels.nii.gz
+refuses "a folder with another's labels" 6 "labels.nii.gz' is there already" run --ct series -o foreign --up-to lungs
+mkdir itself && cp chest/ct.nii.gz itself/labels.nii.gz
+refuses "the CT as its own labels" 6 'is the CT itself' run --ct itself/labels.nii.gz -o itself --up-to lungs --force
+long="$(printf 'x%.0s' $(seq 300))"
+refuses "a folder whose name is too long" 6 'cannot be made|File name too long' run --ct series -o "$long" --up-to lungs
+refuses "a CT whose name is too long" 3 'no .xxx' run --ct "$long" -o nowhere
 
 # What cannot be.
 refuses "no recipe and no CT" 2 'needs a recipe' run -o nowhere

@@ -1,0 +1,135 @@
+#include "pipeline/detail/run_folder.h"
+
+#include <utility>
+
+#include "core/error.h"
+#include "io/atomic_file.h"
+
+namespace pneuma {
+namespace {
+
+constexpr std::string_view StateSchema = "pneuma/run/1";
+
+std::string name(Stage stage) {
+  return std::string(choices(Stage{})[static_cast<std::size_t>(stage)]);
+}
+
+bool isText(const Json& json) { return json.is_string(); }
+
+bool isStage(const Json& entry) {
+  return entry.is_object() && entry.contains("key") && isText(entry["key"]) &&
+         entry.contains("files") && entry["files"].is_object() && entry.contains("warnings") &&
+         entry["warnings"].is_array() && std::ranges::all_of(entry["files"], isText) &&
+         std::ranges::all_of(entry["warnings"], isText);
+}
+
+/// The stages in a run.json, or nothing.
+Json stagesIn(const std::filesystem::path& path) {
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(path, ignored)) return Json::object();
+  const Json state = Json::parse(readFile(path), nullptr, false);
+  const bool sound = state.is_object() && state.contains("schema") &&
+                     state["schema"] == StateSchema && state.contains("stages") &&
+                     state["stages"].is_object() && std::ranges::all_of(state["stages"], isStage);
+  return sound ? state["stages"] : Json::object();
+}
+
+bool isThere(const std::filesystem::path& path) {
+  std::error_code ignored;
+  return std::filesystem::exists(std::filesystem::symlink_status(path, ignored));
+}
+
+}  // namespace
+
+RunFolder::RunFolder(std::filesystem::path path)
+    : path_(std::move(path)), before_(stagesIn(path_ / run_files::State)), now_(Json::object()) {}
+
+bool RunFolder::isOwn(const std::string& file) {
+  const auto known = own_.find(file);
+  if (known != own_.end()) return known->second;
+  std::error_code ignored;
+  bool own = false;
+  for (const Json& stage : before_) {
+    if (stage["files"].contains(file) && std::filesystem::is_regular_file(path_ / file, ignored)) {
+      own = sha256(readFile(path_ / file)) == stage["files"][file];
+    }
+  }
+  return own_[file] = own;
+}
+
+void RunFolder::refuse(const std::string& file, const std::string& why) const {
+  throw OutputFailed(std::string("'").append((path_ / file).string()).append("' ").append(why) +
+                     "; use --force to replace it, or another folder");
+}
+
+void RunFolder::requireOwn(const std::vector<std::string>& files) {
+  for (const std::string& file : files) {
+    if (!isThere(path_ / file) || isOwn(file)) continue;
+    const bool listed = std::ranges::any_of(
+        before_, [&](const Json& stage) { return stage["files"].contains(file); });
+    refuse(file, listed ? "was changed since a run left it there"
+                        : "is there already and was not left by a run");
+  }
+  if (before_.empty() && isThere(path_ / run_files::State)) {
+    refuse(run_files::State, "was not left by a run");
+  }
+}
+
+bool RunFolder::holds(Stage stage, const std::string& key) {
+  if (!before_.contains(name(stage))) return false;
+  const Json& entry = before_[name(stage)];
+  if (entry["key"] != key) return false;
+  for (const auto& [file, hash] : entry["files"].items()) {
+    if (!isOwn(file)) return false;
+  }
+  return true;
+}
+
+StageResult RunFolder::keep(Stage stage) {
+  const Json& entry = before_.at(name(stage));
+  now_[name(stage)] = entry;
+  StageResult result{stage, StageState::Kept, 0.0, {}, {}};
+  for (const auto& [file, hash] : entry["files"].items()) result.files.push_back(file);
+  result.warnings = entry["warnings"].get<std::vector<std::string>>();
+  return result;
+}
+
+void RunFolder::removeFrom(Stage stage) {
+  for (std::size_t s = static_cast<std::size_t>(stage); s < choices(Stage{}).size(); ++s) {
+    const std::string of = name(static_cast<Stage>(s));
+    if (!before_.contains(of)) continue;
+    for (const auto& [file, hash] : before_[of]["files"].items()) {
+      std::error_code ignored;
+      if (isOwn(file)) std::filesystem::remove(path_ / file, ignored);
+    }
+    before_.erase(of);
+  }
+}
+
+void RunFolder::remember(const StageResult& result, const std::string& key) {
+  Json entry = {{"key", key}, {"files", Json::object()}, {"warnings", result.warnings}};
+  for (const std::string& file : result.files) {
+    entry["files"][file] = sha256(readFile(path_ / file));
+  }
+  now_[name(result.stage)] = std::move(entry);
+  writeFile(path_ / run_files::State, textOf(Json{{"schema", StateSchema}, {"stages", now_}}));
+}
+
+bool RunFolder::left(Stage stage, const std::string& file) const {
+  return now_.contains(name(stage)) && now_[name(stage)]["files"].contains(file);
+}
+
+void RunFolder::make() const {
+  std::error_code failed;
+  std::filesystem::create_directories(path_, failed);
+  if (failed) {
+    throw OutputFailed("the folder '" + path_.string() + "' cannot be made: " + failed.message() +
+                       "; choose another with --output");
+  }
+}
+
+std::string textOf(const Json& json) {
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace pneuma

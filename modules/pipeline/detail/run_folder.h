@@ -1,0 +1,58 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/json.h"
+#include "pipeline/run_recipe.h"
+
+namespace pneuma {
+
+/// The folder of a run and what run.json there says of it: which stage left which files, with their
+/// hashes. Nothing else in the folder is touched.
+class RunFolder {
+ public:
+  /// A run.json that cannot be read, or is no run's, counts as none.
+  explicit RunFolder(std::filesystem::path path);
+
+  std::filesystem::path operator/(const std::string& file) const { return path_ / file; }
+
+  /// Throws if a file of these could not be written: it is another's, or was changed since a run
+  /// left it. @throws OutputFailed
+  void requireOwn(const std::vector<std::string>& files);
+
+  /// True if a stage was done with this key and its files are as it left them.
+  bool holds(Stage stage, const std::string& key);
+
+  /// Takes over what the run before says of a stage.
+  StageResult keep(Stage stage);
+
+  /// Removes what the run before left of this stage and of those after it.
+  void removeFrom(Stage stage);
+
+  /// Writes down what a stage left.
+  void remember(const StageResult& result, const std::string& key);
+
+  /// True if a stage, done now or kept, left this file.
+  bool left(Stage stage, const std::string& file) const;
+
+  /// Makes the folder unless it exists. @throws OutputFailed
+  void make() const;
+
+ private:
+  bool isOwn(const std::string& file);
+  [[noreturn]] void refuse(const std::string& file, const std::string& why) const;
+
+  std::filesystem::path path_;
+  Json before_;  ///< stages of the run before by name, or empty
+  Json now_;
+  std::map<std::string, bool> own_;  ///< hashing takes its time: once for each file
+};
+
+/// As text for a file; bytes that are no UTF-8 are replaced.
+std::string textOf(const Json& json);
+
+}  // namespace pneuma
