@@ -40,4 +40,7 @@ if(BUILD_TESTING)
 endif()
 if(PNEUMA_BUILD_BENCHMARKS)
   find_package(benchmark 1.7 REQUIRED)
+  if(NOT PNEUMA_CORE_ONLY)
+    find_package(VTK 9.1 REQUIRED COMPONENTS ImagingGeneral) # a general filter, as a reference
+  endif()
 endif()
