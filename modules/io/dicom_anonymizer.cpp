@@ -22,11 +22,8 @@ constexpr std::uint32_t PixelData = 0x7FE00010;
 constexpr std::uint32_t SeriesUid = 0x0020000E;
 
 /// Texts that say how a picture was made, not of whom.
-constexpr std::array<std::uint32_t, 8> HarmlessTexts = {0x00080070,   // Manufacturer
+constexpr std::array<std::uint32_t, 5> HarmlessTexts = {0x00080070,   // Manufacturer
                                                         0x00081090,   // ManufacturerModelName
-                                                        0x00080100,   // CodeValue
-                                                        0x00080102,   // CodingSchemeDesignator
-                                                        0x00080104,   // CodeMeaning
                                                         0x00181020,   // SoftwareVersions
                                                         0x00181160,   // FilterType
                                                         0x00181210};  // ConvolutionKernel
@@ -34,21 +31,54 @@ constexpr std::array<std::uint32_t, 8> HarmlessTexts = {0x00080070,   // Manufac
 /// Descriptions that are cleaned word by word.
 constexpr std::array<std::uint32_t, 3> Descriptions = {0x00081030, 0x0008103E, 0x00181030};
 
-/// Codes and numbers about a person all the same (PS3.15, table E.1-1), and sequences that repeat
-/// what was removed or lead to the patient.
-constexpr std::array<std::uint32_t, 13> Telling = {0x00081110,   // ReferencedStudySequence
-                                                   0x00081120,   // ReferencedPatientSequence
-                                                   0x0008114A,   // ReferencedInstanceSequence
-                                                   0x00200010,   // StudyID
-                                                   0x00321064,   // RequestedProcedureCodeSequence
-                                                   0x00400244,   // PerformedProcedureStepStartDate
-                                                   0x00400260,   // PerformedProtocolCodeSequence
-                                                   0x00400275,   // RequestAttributesSequence
-                                                   0x0040A730,   // ContentSequence
-                                                   0x00880200,   // IconImageSequence
-                                                   0x04000561,   // OriginalAttributesSequence
-                                                   0x04000550,   // ModifiedAttributesSequence
-                                                   0xFFFAFFFA};  // DigitalSignaturesSequence
+/// The sequences that a CT, or an enhanced one, needs to be read and used. Any other may tell of
+/// people and places, be it by codes only.
+constexpr std::array<std::uint32_t, 35> Sequences = {
+    0x00081140,   // ReferencedImageSequence
+    0x00082112,   // SourceImageSequence
+    0x00082218,   // AnatomicRegionSequence
+    0x00082220,   // AnatomicRegionModifierSequence
+    0x00089124,   // DerivationImageSequence
+    0x00089215,   // DerivationCodeSequence
+    0x00180012,   // ContrastBolusAgentSequence
+    0x00180014,   // ContrastBolusAdministrationRouteSequence
+    0x00189301,   // CTAcquisitionTypeSequence
+    0x00189304,   // CTAcquisitionDetailsSequence
+    0x00189308,   // CTTableDynamicsSequence
+    0x00189312,   // CTGeometrySequence
+    0x00189314,   // CTReconstructionSequence
+    0x00189321,   // CTExposureSequence
+    0x00189325,   // CTXRayDetailsSequence
+    0x00189326,   // CTPositionSequence
+    0x00189329,   // CTImageFrameTypeSequence
+    0x00189341,   // ContrastBolusUsageSequence
+    0x00189346,   // CTDIPhantomTypeCodeSequence
+    0x00189360,   // CTAdditionalXRaySourceSequence
+    0x00209071,   // FrameAnatomySequence
+    0x00209111,   // FrameContentSequence
+    0x00209113,   // PlanePositionSequence
+    0x00209116,   // PlaneOrientationSequence
+    0x00209221,   // DimensionOrganizationSequence
+    0x00209222,   // DimensionIndexSequence
+    0x00283000,   // ModalityLUTSequence
+    0x00283010,   // VOILUTSequence
+    0x00289110,   // PixelMeasuresSequence
+    0x00289132,   // FrameVOILUTSequence
+    0x00289145,   // PixelValueTransformationSequence
+    0x0040A170,   // PurposeOfReferenceCodeSequence
+    0x20500010,   // PresentationLUTSequence
+    0x52009229,   // SharedFunctionalGroupsSequence
+    0x52009230};  // PerFrameFunctionalGroupsSequence
+
+constexpr std::uint32_t CodingSchemeDesignator = 0x00080102;
+
+/// Value, scheme and meaning of a code.
+constexpr std::array<std::uint32_t, 3> Code = {0x00080100, CodingSchemeDesignator, 0x00080104};
+
+/// Designators of code lists that are the same everywhere (PS3.16, table 8-1). Hospitals' own ones
+/// (99...) may code people and departments.
+constexpr std::array<std::string_view, 8> StandardSchemes = {"DCM",  "SCT", "SRT",    "SNM3",
+                                                             "UCUM", "FMA", "RADLEX", "LN"};
 
 /// Words that describe CTs of any person.
 constexpr std::array<std::string_view, 44> CommonWords = {
@@ -113,16 +143,27 @@ std::string cleaned(const std::string& description) {
   return result;
 }
 
+std::string textAt(const DicomDataSet& data, std::uint32_t tag) {
+  const auto found = std::ranges::find(data, tag, &DicomElement::tag);
+  return found == data.end() ? "" : found->text();
+}
+
+bool hasStandardCode(const DicomDataSet& item) {
+  const std::string designator = textAt(item, CodingSchemeDesignator);
+  return std::ranges::find(StandardSchemes, designator) != StandardSchemes.end();
+}
+
 class Anonymizer {
  public:
   Anonymizer(std::string_view key, AnonymizedDicom& result) : key_(key), result_(result) {}
 
-  DicomDataSet dataSet(const DicomDataSet& elements) {
+  /// @param codes the data set is an item of a sequence with a code that may stay
+  DicomDataSet dataSet(const DicomDataSet& elements, bool codes = false) {
     DicomDataSet kept;
     for (const DicomElement& element : elements) {
       if (element.isPrivate()) {
         ++result_.privateRemoved;
-      } else if (!keep(element, kept)) {
+      } else if (!keep(element, codes, kept)) {
         ++result_.removed[keywordOf(element.tag)];
       }
     }
@@ -150,17 +191,17 @@ class Anonymizer {
 
  private:
   /// Puts the element, or what becomes of it, into `kept`; false if it goes.
-  bool keep(const DicomElement& element, DicomDataSet& kept) {
+  bool keep(const DicomElement& element, bool codes, DicomDataSet& kept) {
     const std::uint32_t group = element.tag >> 16;
     const std::string& vr = element.vr;
     // Patients, curves, overlays, texts of overlays, padding, signatures.
     const bool telling = group == 0x0010 || group == 0x0012 || group >> 8 == 0x50 ||
-                         group >> 8 == 0x60 || group == 0x4000 || group == 0xFFFC ||
-                         contains(Telling, element.tag);
+                         group >> 8 == 0x60 || group == 0x4000 || group == 0xFFFC;
     if (telling) return false;
     if (vr == "SQ") {
+      if (!contains(Sequences, element.tag)) return false;
       DicomElement sequence = element;
-      for (DicomDataSet& item : sequence.items) item = dataSet(item);
+      for (DicomDataSet& item : sequence.items) item = dataSet(item, hasStandardCode(item));
       std::erase_if(sequence.items, [](const DicomDataSet& item) { return item.empty(); });
       if (sequence.items.empty()) return false;
       kept.push_back(std::move(sequence));
@@ -181,7 +222,9 @@ class Anonymizer {
     const bool number = std::ranges::find(Numbers, vr) != Numbers.end();
     // Pixels and look-up tables are the only bytes that a CT needs.
     const bool bytes = element.tag == PixelData || (group == 0x0028 && vr == "OW");
-    if (!number && !bytes && !contains(HarmlessTexts, element.tag)) return false;
+    const bool harmless =
+        contains(HarmlessTexts, element.tag) || (codes && contains(Code, element.tag));
+    if (!number && !bytes && !harmless) return false;
     kept.push_back(element);
     return true;
   }
@@ -225,11 +268,6 @@ void addRequired(DicomDataSet& data, const std::string& patient) {
     data.push_back(element);
   }
   std::ranges::stable_sort(data, {}, &DicomElement::tag);
-}
-
-std::string textAt(const DicomDataSet& data, std::uint32_t tag) {
-  const auto found = std::ranges::find(data, tag, &DicomElement::tag);
-  return found == data.end() ? "" : found->text();
 }
 
 std::string burnedInReason(const DicomDataSet& data) {

@@ -24,11 +24,12 @@ std::string anonymizedUid(std::string_view uid, std::string_view key);
 
 /// A DICOM file without what identifies a person, after DICOM PS3.15 annex E, Basic Application
 /// Level Confidentiality Profile with Clean Descriptors. Stricter than its table in one respect:
-/// what is not known to be harmless goes. Kept are codes, numbers, references to classes, the maker
-/// and the model of the scanner, its kernel and filter, and of descriptions the words that are
-/// common in naming CTs. Names, texts, dates, times, private attributes, overlays and curves go;
-/// UIDs of patients' objects are replaced, the same everywhere; PatientName and PatientID become
-/// one pseudonym of the key. Pixels stay bit for bit.
+/// what is not known to be harmless goes. Kept are numbers, references to classes, the maker and
+/// the model of the scanner, its kernel and filter, of descriptions the words that are common in
+/// naming CTs, and of sequences those that a CT needs, with codes of public code lists only. Names,
+/// texts, dates, times, private attributes, overlays and curves go; UIDs of patients' objects are
+/// replaced, the same everywhere; PatientName and PatientID become one pseudonym of the key. Pixels
+/// stay bit for bit.
 /// @param name of the file, for messages
 /// @throws InvalidInput, Unsupported (see dicomElements)
 AnonymizedDicom anonymizedDicom(std::string_view file, std::string_view key,

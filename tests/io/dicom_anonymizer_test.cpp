@@ -78,6 +78,56 @@ TEST(AnonymizedDicom, TellsNothingOfThePerson) {
   }
 }
 
+/// A slice with one sequence of one item: a code, and what else is given.
+std::string withCode(std::uint32_t sequence, const std::string& designator,
+                     const std::string& meaning) {
+  DicomElements elements = dicomElements(DicomMaker(10.0).bytes(), "file");
+  DicomElement added;
+  added.tag = sequence;
+  added.vr = "SQ";
+  added.items = {{dicomText(0x00080100, "SH", "113690"), dicomText(0x00080102, "SH", designator),
+                  dicomText(0x00080104, "LO", meaning)}};
+  elements.data.push_back(std::move(added));
+  std::ranges::stable_sort(elements.data, {}, &DicomElement::tag);
+  return dicomFile(elements);
+}
+
+TEST(AnonymizedDicom, KeepsOnlyTheSequencesThatACtNeeds) {
+  // InstitutionCode, ReferringPhysicianIdentification, physicians and operators, admitting
+  // diagnoses, procedures, persons, acquisition context, one that no dictionary knows
+  for (const std::uint32_t sequence :
+       {0x00080082u, 0x00080096u, 0x00081032u, 0x00081049u, 0x00081052u, 0x00081062u, 0x00081072u,
+        0x00081084u, 0x00081120u, 0x00321064u, 0x00400260u, 0x00400555u, 0x00401101u, 0x0040A730u,
+        0x00880200u, 0x00186666u}) {
+    const std::string original = withCode(sequence, "DCM", "Dr Jane SECRET");
+    ASSERT_THAT(original, HasSubstr("SECRET"));
+    const AnonymizedDicom result = anonymizedDicom(original, Key, "file");
+    EXPECT_THAT(result.content, Not(HasSubstr("SECRET"))) << std::hex << sequence;
+    EXPECT_EQ(result.removed.size(), 1u + 2u) << "the sequence, and name and ID of the patient";
+  }
+}
+
+TEST(AnonymizedDicom, KeepsCodesOfTheStandardsOnly) {
+  constexpr std::uint32_t PhantomTypeCode = 0x00189346;
+  const std::string kept =
+      anonymizedDicom(withCode(PhantomTypeCode, "DCM", "IEC Head Dosimetry Phantom"), Key, "file")
+          .content;
+  EXPECT_THAT(kept, HasSubstr("IEC Head Dosimetry Phantom"));
+  EXPECT_THAT(kept, HasSubstr("113690"));
+  for (const char* designator : {"99SAINTMARY", "L", ""}) {
+    const std::string gone =
+        anonymizedDicom(withCode(PhantomTypeCode, designator, "SECRET"), Key, "file").content;
+    EXPECT_THAT(gone, Not(HasSubstr("SECRET"))) << designator;
+    EXPECT_THAT(gone, Not(HasSubstr("113690"))) << designator;
+  }
+}
+
+TEST(AnonymizedDicom, DropsCodesOutsideOfSequences) {
+  DicomMaker maker(10.0);
+  maker.setText(0x00080102, "SH", "DCM").setText(0x00080104, "LO", "SECRET");
+  EXPECT_THAT(anonymizedDicom(maker.bytes(), Key, "file").content, Not(HasSubstr("SECRET")));
+}
+
 TEST(AnonymizedDicom, KeepsPixelsAndPlacesBitForBit) {
   const TempFolder folder;
   for (const DicomSyntax syntax : {DicomSyntax::ExplicitLittle, DicomSyntax::ImplicitLittle,
