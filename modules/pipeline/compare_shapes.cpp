@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "anatomy/lobe.h"
 #include "core/error.h"
@@ -32,8 +33,44 @@ std::string labelName(std::uint8_t label) {
   return known ? std::string(name) : std::to_string(label);
 }
 
+/// Of the second over the first; infinite for a surface against one without volume.
 double percent(double first, double second) {
-  return first > 0.0 ? 100.0 * (second / first - 1.0) : 0.0;
+  if (first == second) return 0.0;
+  if (first == 0.0) return std::numeric_limits<double>::infinity();
+  return 100.0 * (second - first) / std::abs(first);
+}
+
+double percent(const LabelAgreement& label) { return 100.0 * label.volumeDifference(); }
+
+/// JSON has no infinity: null says that there is no such figure.
+Json finiteJson(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+/// "the first has none" where it has none of a label that the other has, else "".
+std::string missing(const LabelAgreement& label) {
+  if (!label.inOneOnly()) return "";
+  return label.firstMl > 0.0 ? "the second has none" : "the first has none";
+}
+
+std::vector<std::string> failuresOf(const LabelAgreement& label, const ShapeLimits& limits) {
+  std::vector<std::string> failures;
+  const std::string name = "label " + labelName(label.label) + ": ";
+  const bool limited =
+      limits.minDice > 0.0 || limits.maxHd95Mm > 0.0 || limits.maxVolumePercent > 0.0;
+  if (limited && label.inOneOnly()) return {name + missing(label)};
+  if (label.dice < limits.minDice) {
+    failures.push_back(name + "Dice " + fixed(label.dice, 4) + ", under " +
+                       fixed(limits.minDice, 4));
+  }
+  if (limits.maxHd95Mm > 0.0 && label.hausdorff95Mm > limits.maxHd95Mm) {
+    failures.push_back(name + "HD95 " + fixed(label.hausdorff95Mm, 2) + " mm, over " +
+                       fixed(limits.maxHd95Mm, 2) + " mm");
+  }
+  const double volume = percent(label);
+  if (limits.maxVolumePercent > 0.0 && std::abs(volume) > limits.maxVolumePercent) {
+    failures.push_back(name + "volume " + fixed(volume, 2) + " %, over " +
+                       fixed(limits.maxVolumePercent, 2) + " %");
+  }
+  return failures;
 }
 
 void compareLabels(ShapeComparison& comparison, const Progress& progress) {
@@ -55,22 +92,9 @@ void compareLabels(ShapeComparison& comparison, const Progress& progress) {
     part.report(static_cast<double>(n + 1) / static_cast<double>(labels.size() + 1));
   }
   comparison.labels.push_back(agreement(first, second, labels));
-  const ShapeLimits& limits = comparison.limits;
   for (const LabelAgreement& label : comparison.labels) {
-    const std::string name = "label " + labelName(label.label);
-    if (label.dice < limits.minDice) {
-      comparison.failures.push_back(name + ": Dice " + fixed(label.dice, 4) + ", under " +
-                                    fixed(limits.minDice, 4));
-    }
-    if (limits.maxHd95Mm > 0.0 && label.hausdorff95Mm > limits.maxHd95Mm) {
-      comparison.failures.push_back(name + ": HD95 " + fixed(label.hausdorff95Mm, 2) +
-                                    " mm, over " + fixed(limits.maxHd95Mm, 2) + " mm");
-    }
-    const double volume = percent(label.firstMl, label.secondMl);
-    if (limits.maxVolumePercent > 0.0 && std::abs(volume) > limits.maxVolumePercent) {
-      comparison.failures.push_back(name + ": volume " + fixed(volume, 2) + " %, over " +
-                                    fixed(limits.maxVolumePercent, 2) + " %");
-    }
+    const std::vector<std::string> failures = failuresOf(label, comparison.limits);
+    comparison.failures.insert(comparison.failures.end(), failures.begin(), failures.end());
   }
 }
 
@@ -96,7 +120,9 @@ void compareSurfaces(ShapeComparison& comparison, const Progress& progress) {
 }
 
 bool isSurface(const std::filesystem::path& path) {
-  return isSurfaceFileName(path) && std::filesystem::is_regular_file(path) && !isTreeFile(path);
+  std::error_code error;
+  return isSurfaceFileName(path) && std::filesystem::is_regular_file(path, error) &&
+         !isTreeFile(path);
 }
 
 }  // namespace
@@ -139,18 +165,19 @@ Json toJson(const ShapeComparison& comparison, std::span<const InputFile> inputs
                                 {"name", labelName(label.label)},
                                 {"first_ml", label.firstMl},
                                 {"second_ml", label.secondMl},
-                                {"volume_percent", percent(label.firstMl, label.secondMl)},
+                                {"volume_percent", finiteJson(percent(label))},
                                 {"dice", label.dice},
-                                {"mean_mm", label.meanMm},
-                                {"hd95_mm", label.hausdorff95Mm}});
+                                {"mean_mm", finiteJson(label.meanMm)},
+                                {"hd95_mm", finiteJson(label.hausdorff95Mm)}});
   }
   for (const SurfaceDistance& surface : comparison.surfaces) {
-    report["surfaces"].push_back({{"first_ml", surface.firstMl},
-                                  {"second_ml", surface.secondMl},
-                                  {"volume_percent", percent(surface.firstMl, surface.secondMl)},
-                                  {"mean_mm", surface.between.meanMm},
-                                  {"hd95_mm", surface.between.hausdorff95Mm},
-                                  {"max_mm", surface.between.maxMm}});
+    report["surfaces"].push_back(
+        {{"first_ml", surface.firstMl},
+         {"second_ml", surface.secondMl},
+         {"volume_percent", finiteJson(percent(surface.firstMl, surface.secondMl))},
+         {"mean_mm", surface.between.meanMm},
+         {"hd95_mm", surface.between.hausdorff95Mm},
+         {"max_mm", surface.between.maxMm}});
   }
   report["failures"] = comparison.failures;
   return report;
@@ -164,15 +191,18 @@ std::string textOf(const ShapeComparison& comparison) {
     rows = {{"first", "second", "difference", "mean distance", "HD95", "largest"}};
   }
   const auto ml = [](double value) { return fixed(value, 1) + " ml"; };
-  const auto mm = [](double value) { return fixed(value, 2) + " mm"; };
+  const auto figure = [](double value, const char* unit) {
+    return std::isfinite(value) ? fixed(value, 2) + unit : "-";
+  };
+  const auto mm = [&](double value) { return figure(value, " mm"); };
   for (const LabelAgreement& label : comparison.labels) {
     rows.push_back({labelName(label.label), ml(label.firstMl), ml(label.secondMl),
-                    fixed(percent(label.firstMl, label.secondMl), 2) + " %", fixed(label.dice, 4),
-                    mm(label.meanMm), mm(label.hausdorff95Mm)});
+                    label.inOneOnly() ? missing(label) : figure(percent(label), " %"),
+                    fixed(label.dice, 4), mm(label.meanMm), mm(label.hausdorff95Mm)});
   }
   for (const SurfaceDistance& surface : comparison.surfaces) {
     rows.push_back({ml(surface.firstMl), ml(surface.secondMl),
-                    fixed(percent(surface.firstMl, surface.secondMl), 2) + " %",
+                    figure(percent(surface.firstMl, surface.secondMl), " %"),
                     mm(surface.between.meanMm), mm(surface.between.hausdorff95Mm),
                     mm(surface.between.maxMm)});
   }

@@ -115,6 +115,9 @@ LabelAgreement agreementOf(const LabelImage& first, const LabelImage& second,
   result.firstMl = inFirst * voxelMl;
   result.secondMl = inSecond * voxelMl;
   if (inFirst + inSecond > 0.0) result.dice = 2.0 * inBoth / (inFirst + inSecond);
+  if (result.inOneOnly()) {
+    result.meanMm = result.hausdorff95Mm = std::numeric_limits<double>::infinity();
+  }
   if (inFirst == 0.0 || inSecond == 0.0) return result;
   const Vec3& spacing = first.geometry.spacing;
   const auto a = boundaryOf(pair.first, pair.box);

@@ -1,5 +1,7 @@
 #include "segmentation/label_agreement.h"
 
+#include <limits>
+
 #include <gtest/gtest.h>
 
 #include "core/error.h"
@@ -50,10 +52,19 @@ TEST(LabelAgreement, TakesSeveralLabelsAsOne) {
   EXPECT_EQ(labelsIn(two), (std::vector<std::uint8_t>{10, 20}));
 }
 
-TEST(LabelAgreement, IsZeroWhereOneHasNone) {
-  const LabelAgreement none = agreement(block(5), block(5, 20), 10);
-  EXPECT_EQ(none.dice, 0.0);
-  EXPECT_EQ(none.secondMl, 0.0);
+TEST(LabelAgreement, IsInfinitelyFarWhereOneHasNone) {
+  constexpr double Infinity = std::numeric_limits<double>::infinity();
+  for (const std::uint8_t label : {std::uint8_t{10}, std::uint8_t{20}}) {
+    const LabelAgreement none = agreement(block(5), block(5, 20), label);
+    EXPECT_EQ(none.dice, 0.0);
+    EXPECT_NEAR(none.firstMl + none.secondMl, 2.0, 1e-12);
+    EXPECT_EQ(none.meanMm, Infinity);
+    EXPECT_EQ(none.hausdorff95Mm, Infinity);
+    EXPECT_EQ(none.volumeDifference(), Infinity);
+  }
+  const LabelAgreement neither = agreement(block(5), block(5), 6);
+  EXPECT_EQ(neither.hausdorff95Mm, 0.0);
+  EXPECT_EQ(neither.volumeDifference(), 0.0);
 }
 
 TEST(LabelAgreement, NeedsTheSameVoxels) {
