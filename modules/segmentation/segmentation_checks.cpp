@@ -9,7 +9,7 @@ void checkLung(const LungFinding& lung, const std::string& id, const std::string
                std::vector<SegmentationCheck>& checks) {
   checks.push_back({id + "-VOLUME", "volume of the " + name + " lung", lung.volumeWithAirwaysMl,
                     600.0, 5000.0, "ml",
-                    "it may be collapsed, removed or cut off; try --set repair=strong"});
+                    "it may be collapsed, removed or cut off; try --repair strong"});
   checks.push_back({id + "-DENSITY", "mean density of the " + name + " lung", lung.meanHu, -950.0,
                     -500.0, "HU", "check that the values are Hounsfield units"});
   checks.push_back({id + "-BORDER", "surface of the " + name + " lung at the border of the slices",
@@ -25,7 +25,7 @@ void checkLung(const LungFinding& lung, const std::string& id, const std::string
                     20.0, "ml", "they do not hang together with it and were left out"});
   checks.push_back({id + "-DENSE", "dense parts at the edge of the " + name + " lung",
                     100.0 * lung.denseShare, 0.0, 5.0, "%",
-                    "dense or collapsed parts may be missing; try --set repair=strong"});
+                    "dense or collapsed parts may be missing; try --repair strong"});
 }
 
 }  // namespace
