@@ -1,4 +1,6 @@
+#include <cstdint>
 #include <fstream>
+#include <limits>
 
 #include <archive.h>
 #include <archive_entry.h>
@@ -118,6 +120,100 @@ TEST(BadZip, SwellsBeyondMeasure) {
   ASSERT_LT(std::filesystem::file_size(folder / "bomb.zip"), std::uint64_t{1} << 19);
   EXPECT_THAT(refusal(folder / "bomb.zip", ExitCode::InputInvalid),
               HasSubstr("would swell to 200 MB"));
+}
+
+/// A number of `size` bytes, little endian.
+std::string little(std::uint64_t number, int size) {
+  std::string bytes;
+  for (int i = 0; i < size; ++i) bytes += static_cast<char>(number >> 8 * i & 0xFF);
+  return bytes;
+}
+
+/// An archive of empty entries that say they unpack to `size` bytes each (zip64).
+std::string lyingZip(int entries, std::uint64_t size) {
+  std::string file;
+  std::string directory;
+  for (int i = 0; i < entries; ++i) {
+    const std::string name = std::to_string(i) + ".dcm";
+    const std::string extra = little(1, 2) + little(16, 2) + little(size, 8) + little(2, 8);
+    // version, flags, deflate, time and date, CRC, both sizes in the extra field
+    const std::string common = little(45, 2) + little(0, 2) + little(8, 2) + little(0, 4) +
+                               little(0, 4) + little(0xFFFFFFFF, 4) + little(0xFFFFFFFF, 4) +
+                               little(name.size(), 2) + little(extra.size(), 2);
+    directory += "PK\1\2" + little(45, 2) + common + little(0, 2) + little(0, 2) + little(0, 2) +
+                 little(0, 4) + little(file.size(), 4) + name + extra;
+    file += "PK\3\4" + common + name + extra + std::string("\3\0", 2);
+  }
+  const auto count = static_cast<std::uint64_t>(entries);
+  return file + directory + "PK\5\6" + little(0, 4) + little(count, 2) + little(count, 2) +
+         little(directory.size(), 4) + little(file.size(), 4) + little(0, 2);
+}
+
+TEST(BadZip, StatesSizesWhoseSumIsTooLargeToHold) {
+  const TempFolder folder;
+  constexpr std::uint64_t Largest = std::numeric_limits<std::int64_t>::max();
+  // Three of them come to 2^63 - 3 where 64 bits wrap, four to less than nothing.
+  for (const int entries : {1, 2, 3, 4}) {
+    EXPECT_THAT(refusal(folder.put("bomb.zip", lyingZip(entries, Largest)), ExitCode::InputInvalid),
+                HasSubstr("would swell to 8796093022207 MB or more"))
+        << entries;
+  }
+  // 2^64 in four entries: nothing, if it wraps.
+  EXPECT_THAT(
+      refusal(folder.put("bomb.zip", lyingZip(4, std::uint64_t{1} << 62)), ExitCode::InputInvalid),
+      HasSubstr("would swell to"));
+}
+
+/// Puts another archive in the place of the first as soon as its entries have been looked at.
+class Swap : public ProgressSink {
+ public:
+  Swap(std::filesystem::path from, std::filesystem::path to, int looks)
+      : from_(std::move(from)), to_(std::move(to)), looks_(looks) {}
+
+  void report(double, std::string_view) override {}
+
+  bool stopRequested() const override {
+    if (looks_-- == 0) std::filesystem::rename(from_, to_);
+    return false;
+  }
+
+ private:
+  std::filesystem::path from_;
+  std::filesystem::path to_;
+  mutable int looks_;
+};
+
+TEST(BadZip, ChangesAfterItWasLookedAt) {
+  const TempFolder folder;
+  const TempFolder temporary;
+  ::setenv("TMPDIR", temporary.path().c_str(), 1);
+  { Zip(folder / "ct.zip").add("one", "text"); }
+  { Zip(folder / "bomb.zip").add("bomb", std::string(std::size_t{200} << 20, '\0')); }
+  Swap swap(folder / "bomb.zip", folder / "ct.zip", 0);
+  try {
+    unzipped(folder / "ct.zip", Progress(swap));
+    ADD_FAILURE() << "it was unpacked";
+  } catch (const InvalidInput& error) {
+    EXPECT_THAT(error.what(), HasSubstr("would swell to"));
+  }
+  EXPECT_EQ(temporary.fileCount(), 0u);
+  ::unsetenv("TMPDIR");
+}
+
+TEST(BadZip, HasNoFolderToGoTo) {
+  const TempFolder folder;
+  { Zip(folder / "ct.zip").add("one", "text"); }
+  ::setenv("TMPDIR", "/nowhere/at/all", 1);
+  EXPECT_THAT(refusal(folder / "ct.zip", ExitCode::OutputFailed), HasSubstr("TMPDIR"));
+  ::unsetenv("TMPDIR");
+}
+
+TEST(ZippedCt, MayHaveEndingsThatNoDiskTakes) {
+  const TempFolder folder;
+  { Zip(folder / "long.zip").add("a." + std::string(300, 'x'), "text"); }
+  const Unzipped files = unzipped(folder / "long.zip", {});
+  ASSERT_EQ(files.files.size(), 1u);
+  EXPECT_EQ(readFile(files.files[0].path), "text");
 }
 
 TEST(BadZip, IsCutShortOrDamaged) {

@@ -72,6 +72,19 @@ bool isFile(archive_entry* entry) {
   return archive_entry_filetype(entry) == AE_IFREG && archive_entry_hardlink(entry) == nullptr;
 }
 
+/// 0 where it is not stated, INT64_MAX at most.
+std::uint64_t statedSize(archive_entry* entry) {
+  return static_cast<std::uint64_t>(std::max<la_int64_t>(0, archive_entry_size(entry)));
+}
+
+/// The end of an archive's name that may go into a name of our own: none rather than a long one,
+/// which the disk may not take.
+std::string extensionOf(const std::string& name) {
+  constexpr std::size_t Longest = 16;
+  std::string extension = fs::path(name).extension().string();
+  return extension.size() <= Longest ? extension : "";
+}
+
 bool leadsOut(const std::string& name) {
   if (name.starts_with('/') || name.starts_with('\\') || (name.size() > 1 && name[1] == ':')) {
     return true;
@@ -81,9 +94,38 @@ bool leadsOut(const std::string& name) {
   return std::ranges::any_of(fs::path(forward), [](const fs::path& part) { return part == ".."; });
 }
 
+/// The folder for temporary files. @throws OutputFailed if there is none
+fs::path temporaryFolder() {
+  std::error_code error;
+  fs::path folder = fs::temp_directory_path(error);
+  if (error) {
+    throw OutputFailed(
+        "there is no folder for temporary files to unpack an archive into; set TMPDIR to one that "
+        "exists");
+  }
+  return folder;
+}
+
+/// Bytes that an archive may swell to.
+std::uint64_t mostBytes(const fs::path& path) {
+  std::error_code error;
+  const std::uint64_t packed = fs::file_size(path, error);
+  if (error) {
+    throw InputMissing("the archive " + quoted(path) + " cannot be read: " + error.message());
+  }
+  return FreeSwelling + MostSwelling * packed;
+}
+
+[[noreturn]] void throwSwollen(const fs::path& path, std::uint64_t total) {
+  throw InvalidInput("the archive " + quoted(path) + " would swell to " +
+                     std::to_string(total >> 20) +
+                     " MB or more, which no CT does; it was not unpacked");
+}
+
 /// Refuses what should not be unpacked, before a byte is.
 void requireHarmless(const fs::path& path, const Progress& progress) {
   const Archive handle = opened(path);
+  const std::uint64_t most = mostBytes(path);
   std::uint64_t total = 0;
   std::size_t count = 0;
   while (archive_entry* entry = nextEntry(path, handle.get())) {
@@ -97,21 +139,16 @@ void requireHarmless(const fs::path& path, const Progress& progress) {
       throw Unsupported("the archive " + quoted(path) +
                         " is protected by a password; unpack it first");
     }
-    if (isFile(entry))
-      total += static_cast<std::uint64_t>(std::max<la_int64_t>(0, archive_entry_size(entry)));
+    if (isFile(entry)) total += statedSize(entry);
+    // At every entry, so that no sum of sizes is too large for its type.
+    if (total > most) throwSwollen(path, total);
     if (count > MostFiles) {
       throw InvalidInput("the archive " + quoted(path) + " holds more than " +
                          std::to_string(MostFiles) + " entries; unpack it first");
     }
   }
-  const std::uint64_t packed = fs::file_size(path);
-  if (total > FreeSwelling + MostSwelling * packed) {
-    throw InvalidInput("the archive " + quoted(path) + " of " + std::to_string(packed >> 20) +
-                       " MB would swell to " + std::to_string(total >> 20) +
-                       " MB, which no CT does; it was not unpacked");
-  }
   std::error_code error;
-  const fs::space_info space = fs::space(fs::temp_directory_path(), error);
+  const fs::space_info space = fs::space(temporaryFolder(), error);
   if (!error && total > space.available) {
     throw OutputFailed("unpacking " + quoted(path) + " takes " + std::to_string(total >> 20) +
                        " MB in the temporary folder, where " +
@@ -123,9 +160,10 @@ void requireHarmless(const fs::path& path, const Progress& progress) {
 class PrivateFolder {
  public:
   PrivateFolder() {
-    std::string name = (fs::temp_directory_path() / "pneuma-XXXXXX").string();
+    const fs::path parent = temporaryFolder();
+    std::string name = (parent / "pneuma-XXXXXX").string();
     if (::mkdtemp(name.data()) == nullptr) {  // mode 0700
-      throw OutputFailed("no folder can be made in " + quoted(fs::temp_directory_path()) +
+      throw OutputFailed("no folder can be made in " + quoted(parent) +
                          " to unpack into; is the disk full?");
     }
     path_ = name;
@@ -145,13 +183,14 @@ class PrivateFolder {
   fs::path path_;
 };
 
-void unpackEntry(const fs::path& path, archive* handle, archive_entry* entry,
-                 const std::string& name, const fs::path& target, const Progress& progress) {
+/// Returns the bytes written. @param room bytes that the archive may still swell by
+std::uint64_t unpackEntry(const fs::path& path, archive* handle, archive_entry* entry,
+                          const std::string& name, const fs::path& target, std::uint64_t room,
+                          const Progress& progress) {
   std::ofstream file(target, std::ios::binary);
   std::array<char, BlockSize / 4> block{};
   std::uint64_t written = 0;
-  const auto stated =
-      static_cast<std::uint64_t>(std::max<la_int64_t>(0, archive_entry_size(entry)));
+  const std::uint64_t stated = statedSize(entry);
   while (true) {
     const la_ssize_t size = archive_read_data(handle, block.data(), block.size());
     if (size < 0) throwDamaged(path, handle, name);
@@ -162,12 +201,15 @@ void unpackEntry(const fs::path& path, archive* handle, archive_entry* entry,
       throw InvalidInput("the archive " + quoted(path) + " states " + std::to_string(stated) +
                          " bytes for " + quotedName(name) + " but holds more; it is damaged");
     }
+    // Once more: the file may have changed since its sizes were added up.
+    if (written > room) throwSwollen(path, written);
     file.write(block.data(), size);
   }
   if (!file.flush()) {
     throw OutputFailed("the temporary folder cannot hold " + quotedName(name) +
                        "; is the disk full?");
   }
+  return written;
 }
 
 }  // namespace
@@ -187,14 +229,14 @@ Unzipped unzipped(const fs::path& archive, const Progress& progress) {
   Unzipped result;
   result.folder = folder;
   const Archive handle = opened(archive);
+  std::uint64_t room = mostBytes(archive);
   std::size_t count = 0;
   while (archive_entry* entry = nextEntry(archive, handle.get())) {
     const std::string name = nameOf(entry, ++count);
     if (!isFile(entry)) continue;
     // Names of our own: those of the archive may clash, or mean something to the file system.
-    const fs::path target =
-        folder->path() / (std::to_string(count) + fs::path(name).extension().string());
-    unpackEntry(archive, handle.get(), entry, name, target, progress);
+    const fs::path target = folder->path() / (std::to_string(count) + extensionOf(name));
+    room -= unpackEntry(archive, handle.get(), entry, name, target, room, progress);
     result.files.push_back({target, fs::path(name).filename().string()});
   }
   std::ranges::sort(result.files, {}, &Unzipped::File::name);
