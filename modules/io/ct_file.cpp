@@ -68,6 +68,13 @@ void requireHu(const CtFile& file, const fs::path& path) {
       "and its rescale slope and intercept are there");
 }
 
+[[noreturn]] void throwOfAnotherPart(const DicomSeries& series) {
+  throw Unsupported(titleOf(series) + " is not of the chest: its header states the body part " +
+                    quotedName(series.bodyPart) +
+                    "; if it shows the chest all the same, take it by '" +
+                    "pneuma import --series " + std::to_string(series.place) + "'");
+}
+
 CtFile readDicom(const fs::path& path, const CtCorrections& corrections, const Progress& progress,
                  const SeriesChoice& choice) {
   std::vector<DicomSeries> all = listDicomSeries(path, progress.part(0.0, 0.1, "reading headers"));
@@ -163,6 +170,7 @@ const DicomSeries& chosenSeries(const std::vector<DicomSeries>& all, const Serie
                   "none of the " + std::to_string(all.size()) +
                       " series there can be read; the first: " + all.front().refusal->sentence);
     }
+    if (!all.front().refusal && all.front().ofAnotherPart) throwOfAnotherPart(all.front());
     return all.front();
   }
   const auto byUid = std::ranges::find(all, choice.wanted, &DicomSeries::uid);

@@ -49,7 +49,8 @@ struct SeriesChoice {
 };
 
 /// The series of a list that is wanted.
-/// @throws InvalidOption if there is no such one; the refusal of the best if none can be read
+/// @throws InvalidOption if there is no such one; the refusal of the best if none can be read;
+/// Unsupported if none is of the chest, unless one is wanted
 const DicomSeries& chosenSeries(const std::vector<DicomSeries>& all, const SeriesChoice& choice);
 
 /// The files that readCt() would read: those of the chosen series, the archive that holds it, or a

@@ -8,6 +8,7 @@
 #include "io/detail/dicom_header.h"
 #include "io/detail/text_fields.h"
 #include "io/detail/unzipped.h"
+#include "io/detail/volume_fields.h"
 
 namespace pneuma {
 namespace {
@@ -52,8 +53,10 @@ void addFiles(Source& source, const fs::path& folder, int depth, const Progress&
 Source sourceOf(const fs::path& path, const Progress& progress) {
   std::error_code error;
   if (!fs::exists(path, error)) {
-    throw InputMissing(quoted(path) + (error ? " cannot be reached; check its permissions"
-                                             : " is not there; check the path"));
+    throw InputMissing(
+        quoted(path) +
+        (error ? " cannot be reached: " + error.message() : std::string(" is not there")) +
+        "; check the path");
   }
   Source source;
   if (fs::is_directory(path, error)) {
@@ -193,6 +196,17 @@ void setGeometry(DicomSeries& series, const DicomHeader& first) {
   series.memoryBytes = geometry.voxelCount() * sizeof(std::int16_t);
 }
 
+/// Steps that no scanner makes, positions that are no place.
+std::optional<Refusal> refusalOfGeometry(const DicomSeries& series) {
+  const ImageGeometry& geometry = series.geometry;
+  try {
+    checkedGeometry(geometry.size, geometry.steps(), geometry.origin, titleOf(series));
+  } catch (const InvalidInput& error) {
+    return Refusal{error.code(), error.what()};
+  }
+  return std::nullopt;
+}
+
 void addNotes(DicomSeries& series) {
   const auto rescaled = [&](const DicomSlice& slice) {
     return slice.slope != series.slices.front().slope ||
@@ -224,7 +238,8 @@ DicomSeries seriesOf(std::vector<DicomHeader> headers) {
                              [&](const DicomSlice& slice) { return slice.position.dot(normal); });
     series.check = checkedStack(series.slices, normal);
     setGeometry(series, headers.front());
-    series.refusal = refusalOfStack(series);
+    series.refusal = refusalOfGeometry(series);
+    if (!series.refusal) series.refusal = refusalOfStack(series);
     addNotes(series);
   }
   rate(series, headers.front());

@@ -83,8 +83,9 @@ struct DicomSeries {
   ImageGeometry geometry;          ///< once gaps are filled and duplicates dropped
   SeriesCheck check;
   std::optional<Refusal> refusal;    ///< why it cannot be read whatever is corrected
+  bool ofAnotherPart = false;        ///< a part of the body is stated that is not the chest
   int place = 0;                     ///< in the list, best first, from 1
-  int rating = 0;                    ///< 0 (cannot be read) to 5
+  int rating = 0;                    ///< 0 (cannot be read, or not the chest) to 5
   std::vector<std::string> reasons;  ///< of the rating
   std::vector<std::string> notes;
   std::uint64_t memoryBytes = 0;  ///< of the image
@@ -94,7 +95,8 @@ struct DicomSeries {
   std::shared_ptr<const void> extracted;  ///< keeps what was taken out of an archive
 };
 
-/// Series below a path, best first (axial CT of the chest, then more slices, thinner, softer).
+/// Series below a path, best first (axial CT of the chest, then more slices, thinner, softer; last
+/// those that cannot be read).
 /// A folder is searched with its subfolders, but no deeper; of a file all files of its series in
 /// the same folder are taken; a zip archive is unpacked into a private folder that lives as long as
 /// one of its series. Only headers are read. Other files do not matter.
@@ -102,6 +104,9 @@ struct DicomSeries {
 /// dangerous archive, Cancelled
 std::vector<DicomSeries> listDicomSeries(const std::filesystem::path& path,
                                          const Progress& progress = {});
+
+/// True if the file starts as DICOM files do.
+bool isDicomFile(const std::filesystem::path& file);
 
 /// True for a DICOM file, a folder with one in it, and a zip archive.
 bool isDicomPath(const std::filesystem::path& path);

@@ -119,6 +119,17 @@ const std::vector<BadSeries> Cases = {
      each([](DicomMaker& m) {
        m.setNumbers(0x00280030, {NaN, NaN});
      })},
+    {"pixels of a metre", ExitCode::InputInvalid, "1000, 1000 and 3 mm apart, not 0.01 to 100 mm",
+     each([](DicomMaker& m) {
+       m.setNumbers(0x00280030, {1000.0, 1000.0});
+     })},
+    {"slices a metre apart", ExitCode::InputInvalid, "2, 2 and 1000 mm apart, not 0.01 to 100 mm",
+     [](SeriesSpec& spec) { spec.step = Vec3(0.0, 0.0, 1000.0); }},
+    {"positions beyond all measure", ExitCode::InputInvalid, "position or direction",
+     [](SeriesSpec& spec) { spec.step = Vec3(0.0, 0.0, 1e200); }},
+    {"another part of the body", ExitCode::Unsupported,
+     "not of the chest.*body part \"HEAD\".*import --series 1",
+     each([](DicomMaker& m) { m.setText(0x00180015, "CS", "HEAD"); })},
     {"a rescale slope of 0", ExitCode::InputInvalid, "001.dcm\" states a rescale slope of 0",
      each([](DicomMaker& m) { m.setNumbers(0x00281053, {0.0}); })},
     {"directions that are no right angle", ExitCode::InputInvalid, "no right angle",
@@ -194,6 +205,15 @@ TEST(BadDicomPath, ThatMayNotBeRead) {
 TEST(BadDicomPath, ThatIsAnotherFile) {
   const TempFolder folder;
   EXPECT_THROW(readCt(folder.put("ct.dcm", "this is no DICOM file")), Unsupported);
+}
+
+TEST(SeriesChoice, TakesAnotherPartOfTheBodyWhenAsked) {
+  const TempFolder folder;
+  SeriesSpec spec;
+  each([](DicomMaker& m) { m.setText(0x00180015, "CS", "ABDOMEN"); })(spec);
+  writeSeries(folder.path(), spec);
+  EXPECT_THROW(readCt(folder.path()), Unsupported);
+  EXPECT_EQ(readCt(folder.path(), {}, {}, {"1"}).series->bodyPart, "ABDOMEN");
 }
 
 TEST(SeriesChoice, RefusesWhatIsNotThere) {

@@ -117,6 +117,8 @@ inline std::vector<BadFile> badNifti() {
        }),
        IsInvalid, "direction that is no number"},
       {"a.nii", nifti([](auto& h) { h.srow[1] = {}; }), IsInvalid, "1, 0 and 3 mm apart"},
+      {"a.nii", nifti([](auto& h) { h.xyztUnits = 1; }), IsInvalid,
+       "1000, 2000 and 3000 mm apart, not 0.01 to 100 mm"},
       {"a.nii", nifti([](auto& h) {
          h.sformCode = 0;
          h.pixdim[2] = -2;
@@ -205,6 +207,9 @@ inline std::vector<BadFile> badNrrd() {
            "direction that is no number"),
       nrrd({"space directions: (1,0,0) (0,1,0) none"}, IsUnsupported, "an axis without direction"),
       nrrd({"space directions", "spacings: 1 -2 3"}, IsInvalid, "1, -2 and 3 mm apart"),
+      nrrd({"space directions: (1,0,0) (0,2,0) (0,0,0.009)"}, IsInvalid,
+           "1, 2 and 0.009 mm apart, not 0.01 to 100 mm"),
+      nrrd({"space directions: (1,0,0) (0,101,0) (0,0,1)"}, IsInvalid, "not 0.01 to 100 mm"),
       nrrd({"space directions"}, IsInvalid, "does not say how far its voxels lie apart"),
       nrrd({"space origin: (1,2)"}, IsInvalid, "space origin = \"1 2\""),
       nrrd({"space units: \"mm\" \"mm\" \"furlong\""}, IsUnsupported, "measures in \"furlong\""),

@@ -277,7 +277,36 @@ TEST(DicomSeries, AreRankedWithReasons) {
   EXPECT_EQ(all[2].rating, 4);
   EXPECT_EQ(all[3].rating, 0);
   EXPECT_THAT(all[0].reasons, Contains("slices 2.5 mm apart"));
+  EXPECT_THAT(all[0].reasons, Contains("80 slices"));
+  EXPECT_THAT(all[0].reasons, Contains("kernel B30f"));
   EXPECT_THAT(all[3].reasons, Contains(HasSubstr("localizer")));
+}
+
+TEST(DicomSeries, OfOtherPartsOfTheBodyComeLast) {
+  const TempFolder folder;
+  const auto add = [&](const std::string& part, const char* uid, int slices, const char* modality) {
+    SeriesSpec spec;
+    spec.uid = uid;
+    spec.slices = slices;
+    spec.change = [=](DicomMaker& maker, int) {
+      maker.setText(0x00180015, "CS", part).setText(0x00080060, "CS", modality);
+      return true;
+    };
+    writeSeries(folder / uid, spec);
+  };
+  add("HEAD", "1.2.1", 80, "CT");
+  add("CHESTABDPELVIS", "1.2.2", 6, "CT");
+  add("", "1.2.3", 8, "CT");
+  add("CHEST", "1.2.4", 90, "MR");
+  const std::vector<DicomSeries> all = listDicomSeries(folder.path());
+  ASSERT_EQ(all.size(), 4u);
+  EXPECT_EQ(all[0].uid, "1.2.3");
+  EXPECT_EQ(all[1].uid, "1.2.2");
+  EXPECT_EQ(all[2].uid, "1.2.1");
+  EXPECT_TRUE(all[2].ofAnotherPart);
+  EXPECT_EQ(all[2].rating, 0);
+  EXPECT_THAT(all[2].reasons, Contains("not the chest, body part stated: HEAD"));
+  EXPECT_TRUE(all[3].refusal.has_value());
 }
 
 TEST(DicomSeries, OfOneFileAreTheFilesBesideItOfTheSameSeries) {

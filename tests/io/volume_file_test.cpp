@@ -224,14 +224,22 @@ TEST(Nifti, MeasuresInItsUnit) {
   NiftiStruct h = smallNifti();
   std::vector<std::string> notes;
   h.xyztUnits = 1;
-  EXPECT_TRUE(niftiGeometry(h, &notes).spacing.isApprox(Vec3(1000, 2000, 3000)));
+  const auto scale = [&](float factor) {
+    for (auto& row : h.srow) {
+      for (float& value : row) value *= factor;
+    }
+  };
+  scale(1e-3F);
+  EXPECT_TRUE(niftiGeometry(h, &notes).spacing.isApprox(Vec3(1, 2, 3), 1e-6));
   EXPECT_THAT(notes, ElementsAre(HasSubstr("metres")));
   h.xyztUnits = 3;
+  scale(1e6F);
   const ImageGeometry micro = niftiGeometry(h, &notes);
-  EXPECT_TRUE(micro.spacing.isApprox(Vec3(1, 2, 3) / 1000));
-  EXPECT_TRUE(micro.origin.isApprox(Vec3(-10, -20, 30) / 1000));
+  EXPECT_TRUE(micro.spacing.isApprox(Vec3(1, 2, 3), 1e-6));
+  EXPECT_TRUE(micro.origin.isApprox(Vec3(-10, -20, 30), 1e-6));
+  scale(1e-3F);
   h.xyztUnits = 0;
-  EXPECT_EQ(niftiGeometry(h, &notes).spacing, Vec3(1, 2, 3));
+  EXPECT_TRUE(niftiGeometry(h, &notes).spacing.isApprox(Vec3(1, 2, 3), 1e-6));
   EXPECT_THAT(notes, ElementsAre(HasSubstr("taken for mm")));
 }
 

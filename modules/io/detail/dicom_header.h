@@ -34,9 +34,6 @@ struct DicomHeader {
 std::optional<DicomHeader> readDicomHeader(const std::filesystem::path& file,
                                            const std::string& name);
 
-/// True if the file starts as DICOM files do.
-bool isDicomFile(const std::filesystem::path& file);
-
 /// How the slices stand to each other. `slices` must be ascending along `normal`.
 SeriesCheck checkedStack(const std::vector<DicomSlice>& slices, const Vec3& normal);
 

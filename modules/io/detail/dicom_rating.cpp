@@ -41,9 +41,13 @@ int sharpness(const std::string& kernel) {
   return name == "l" || name == "d" || name == "ya" ? 2 : 1;
 }
 
+/// Defined terms of PS3.16, annex L, and what else begins so. Parts that share slices with the
+/// lungs (HEART, TSPINE, WHOLEBODY) are not among them.
 bool namesAnotherPart(const std::string& bodyPart) {
-  static constexpr std::array<std::string_view, 10> Others = {
-      "head", "brain", "neck", "abdomen", "pelvis", "knee", "leg", "foot", "hand", "cspine"};
+  static constexpr std::array<std::string_view, 24> Others = {
+      "head",   "brain", "skull", "orbit",  "sinus", "jaw",   "mandible", "neck",
+      "cspine", "abd",   "liver", "kidney", "pelvi", "hip",   "lspine",   "sspine",
+      "lumbar", "femur", "thigh", "knee",   "leg",   "ankle", "foot",     "hand"};
   const std::string part = lowerCase(bodyPart);
   if (part.find("chest") != std::string::npos || part.find("thora") != std::string::npos ||
       part.find("lung") != std::string::npos) {
@@ -78,19 +82,23 @@ void rate(DicomSeries& series, const DicomHeader& first) {
   const bool sound = series.check.gaps.empty() && series.check.duplicates.empty() &&
                      !series.check.tilted() && !series.check.uneven();
   say(sound, "evenly spaced", "slices missing, doubled, tilted or unevenly spaced");
-  if (namesAnotherPart(series.bodyPart)) {
-    --points;
-    series.reasons.push_back("body part stated: " + series.bodyPart);
-  }
+  series.reasons.push_back(std::to_string(series.slices.size()) + " slices");
+  series.reasons.push_back(series.kernel.empty() ? "kernel not stated" : "kernel " + series.kernel);
+  series.ofAnotherPart = namesAnotherPart(series.bodyPart);
   if (series.imageType.find("DERIVED") != std::string::npos) {
     --points;
     series.reasons.push_back("derived from other images");
   }
   series.rating = std::clamp(points, 1, 5);
+  if (series.ofAnotherPart) {
+    series.rating = 0;
+    series.reasons.push_back("not the chest, body part stated: " + series.bodyPart);
+  }
 }
 
 bool betterSeries(const DicomSeries& a, const DicomSeries& b) {
   if (a.rating != b.rating) return a.rating > b.rating;
+  if (a.refusal.has_value() != b.refusal.has_value()) return !a.refusal.has_value();
   if (a.slices.size() != b.slices.size()) return a.slices.size() > b.slices.size();
   if (std::abs(a.check.spacingMm - b.check.spacingMm) > 0.01) {
     return a.check.spacingMm < b.check.spacingMm;

@@ -16,6 +16,11 @@ namespace {
 /// 0.6 degrees. A gantry tilts by 30 degrees at most.
 constexpr double LeastSine = 0.01;
 
+/// What lies between the finest picture of a piece of lung and the thickest slices, mm. The limits
+/// may be missed by what single precision loses.
+constexpr double LeastSpacing = 0.01 * (1.0 - 1e-6);
+constexpr double MostSpacing = 100.0 * (1.0 + 1e-6);
+
 /// More voxels than any scanner makes, few enough for sums of bytes never to overflow.
 constexpr double MostVoxels = 1e12;
 
@@ -26,6 +31,11 @@ std::string timesText(std::span<const std::int64_t> sizes) {
     appendNumber(text, size);
   }
   return text;
+}
+
+std::string spacingText(const Vec3& spacing) {
+  return numberText(spacing.x()) + ", " + numberText(spacing.y()) + " and " +
+         numberText(spacing.z());
 }
 
 }  // namespace
@@ -96,8 +106,7 @@ std::array<int, 3> checkedSize(std::span<const std::int64_t> sizes, const std::s
 
 void requirePositive(const Vec3& spacing, const std::string& name) {
   if (spacing.allFinite() && (spacing.array() > 0.0).all()) return;
-  throw InvalidInput(name + " says its voxels lie " + numberText(spacing.x()) + ", " +
-                     numberText(spacing.y()) + " and " + numberText(spacing.z()) +
+  throw InvalidInput(name + " says its voxels lie " + spacingText(spacing) +
                      " mm apart; these must be positive numbers: correct the header");
 }
 
@@ -111,6 +120,11 @@ ImageGeometry checkedGeometry(const std::array<int, 3>& size, const Mat3& steps,
   geometry.origin = origin;
   geometry.spacing = steps.colwise().norm();
   requirePositive(geometry.spacing, name);
+  if (geometry.spacing.minCoeff() < LeastSpacing || geometry.spacing.maxCoeff() > MostSpacing) {
+    throw InvalidInput(name + " says its voxels lie " + spacingText(geometry.spacing) +
+                       " mm apart, not 0.01 to 100 mm; correct the spacing or its unit in the "
+                       "header");
+  }
   geometry.direction = steps * geometry.spacing.cwiseInverse().asDiagonal();
   if (!(std::abs(geometry.direction.determinant()) >= LeastSine)) {
     throw InvalidInput(name +
