@@ -28,10 +28,15 @@ ExitCode runShapes(const CompareArguments& arguments, const CommonOptions& commo
         "--csv and --picture are for trees; for labels and surfaces there is --json");
   }
   if (!common.output.empty()) requireOutput(common.output, common.existing());
-  const std::vector<InputFile> inputs = {inputFile(arguments.trees[0]),
-                                         inputFile(arguments.trees[1])};
+  requireOtherThanInputs(common.output, arguments.trees);
   const ShapeComparison comparison =
-      compareShapes(arguments.trees[0], arguments.trees[1], arguments.limits, progress);
+      compareShapes(arguments.trees[0], arguments.trees[1], arguments.limits,
+                    progress.part(0.0, 0.9, "comparing"));
+  std::vector<InputFile> inputs;
+  if (common.json) {
+    inputs = {inputFile(arguments.trees[0], progress.part(0.9, 0.95, "hashing")),
+              inputFile(arguments.trees[1], progress.part(0.95, 1.0, "hashing"))};
+  }
   progress.report(1.0);
   const std::string text = common.json ? jsonText(toJson(comparison, inputs)) : textOf(comparison);
   if (common.output.empty()) {
@@ -50,6 +55,7 @@ void requireUsable(const CompareArguments& arguments, const CommonOptions& commo
   requireOneRegion(arguments, "compare");
   (void)viewDirection(arguments.look.view);
   if (!common.output.empty()) requireOutput(common.output, common.existing());
+  requireOtherThanInputs(common.output, arguments.trees);
   if (arguments.picture.empty()) return;
   requirePngOutput(arguments.picture, common.existing());
   if (arguments.picture == common.output) {

@@ -8,6 +8,7 @@
 #include "cli/text.h"
 #include "core/units.h"
 #include "io/atomic_file.h"
+#include "io/input_files.h"
 
 namespace pneuma::cli {
 namespace {
@@ -107,11 +108,16 @@ void addCorrections(CLI::App& app, CtCorrections& corrections) {
   });
 }
 
-InputFile ctInput(const std::filesystem::path& path, const CtFile& file) {
-  if (!file.series) return inputFile(path);
+InputFile ctInput(const std::filesystem::path& path, const CtFile& file, const Progress& progress) {
+  if (!file.series) return inputFile(path, progress);
   std::string hashes;
-  for (const DicomSlice& slice : file.series->slices) {
-    if (slice.frame == 0) hashes += sha256(readFile(slice.file));
+  const std::vector<DicomSlice>& slices = file.series->slices;
+  for (std::size_t i = 0; i < slices.size(); ++i) {
+    const auto part = [&](std::size_t n) {
+      return static_cast<double>(n) / static_cast<double>(slices.size());
+    };
+    if (slices[i].frame != 0) continue;
+    hashes += sha256OfFile(slices[i].file, progress.part(part(i), part(i + 1), "hashing"));
   }
   return {path.string(), sha256(hashes)};
 }

@@ -121,6 +121,7 @@ void requireUsable(const std::vector<Job>& all, const ExportArguments& arguments
                           "'; export them one by one");
     }
     outputs.push_back(job.output);
+    requireOtherThanInputs(job.output, {&job.input, 1});
     std::error_code error;
     const bool folderComes =
         job.output.parent_path() == common.output && !fs::exists(common.output, error);

@@ -5,6 +5,7 @@
 #include <cctype>
 
 #include "core/error.h"
+#include "io/input_files.h"
 #include "io/surface_file.h"
 #include "io/tree_file.h"
 #include "io/volume_file.h"
@@ -29,20 +30,14 @@ std::string lowerExtension(const fs::path& path) {
 
 }  // namespace
 
-InputFile inputFile(const fs::path& path) { return {path.string(), sha256(readFile(path))}; }
+InputFile inputFile(const fs::path& path, const Progress& progress) {
+  return {path.string(), sha256OfFile(path, progress)};
+}
 
 std::vector<fs::path> modelsIn(const fs::path& folder) {
-  std::error_code error;
-  std::vector<fs::path> inside;
-  for (const auto& entry : fs::directory_iterator(folder, error)) {
-    if (entry.is_regular_file() && (isSurfaceFileName(entry.path()) || isTreeFile(entry.path()))) {
-      inside.push_back(entry.path());
-    }
-  }
-  if (error) {
-    throw InputMissing("the folder '" + folder.string() + "' cannot be read: " + error.message());
-  }
-  std::sort(inside.begin(), inside.end());
+  std::vector<fs::path> inside = filesIn(folder);
+  std::erase_if(inside,
+                [](const fs::path& file) { return !isSurfaceFileName(file) && !isTreeFile(file); });
   return inside;
 }
 
@@ -80,7 +75,11 @@ void requireOutput(const fs::path& path, Existing existing) {
 }
 
 void requireVolumeOutput(const fs::path& path, Existing existing) {
-  if (!isVolumeFileName(path)) throwExtension(path, "CTs", ".nii.gz, .nii, .nrrd or .mha");
+  // Headers with their voxels in a second file are read, but not written.
+  const std::string extension = lowerExtension(path);
+  if (!isVolumeFileName(path) || extension == ".mhd" || extension == ".nhdr") {
+    throwExtension(path, "CTs and labels", ".nii.gz, .nii, .nrrd or .mha");
+  }
   requireOutput(path, existing);
 }
 
@@ -99,6 +98,26 @@ void requireSurfaceOutput(const fs::path& path, Existing existing) {
 void requirePngOutput(const fs::path& path, Existing existing) {
   if (lowerExtension(path) != ".png") throwExtension(path, "pictures", ".png");
   requireOutput(path, existing);
+}
+
+void requireFolderOutput(const fs::path& folder) {
+  std::error_code error;
+  if (fs::is_directory(folder, error)) return;
+  if (fs::exists(folder, error)) {
+    throw OutputFailed("'" + folder.string() + "' is a file, not a folder; choose another name");
+  }
+  // A folder can be made where a file could.
+  requireWritable(folder.has_filename() ? folder : folder.parent_path());
+}
+
+void requireOtherThanInputs(const fs::path& output, std::span<const fs::path> inputs) {
+  for (const fs::path& input : inputs) {
+    std::error_code error;
+    if (fs::equivalent(output, input, error)) {
+      throw InvalidOption("the output '" + output.string() +
+                          "' is the same file as the input; choose another name");
+    }
+  }
 }
 
 OutputSet::~OutputSet() {

@@ -10,8 +10,8 @@
 
 namespace pneuma::cli {
 
-/// The file's path and hash, for a report. @throws InputMissing
-InputFile inputFile(const std::filesystem::path& path);
+/// The file's path and hash, for a report. @throws InputMissing, Cancelled
+InputFile inputFile(const std::filesystem::path& path, const Progress& progress = {});
 
 /// The surfaces and trees in a folder, in the order of names. @throws InputMissing if it cannot be
 /// read
@@ -29,6 +29,14 @@ void requireTreeOutput(const std::filesystem::path& path, Existing existing);
 void requireSurfaceOutput(const std::filesystem::path& path, Existing existing);
 void requireVolumeOutput(const std::filesystem::path& path, Existing existing);
 void requirePngOutput(const std::filesystem::path& path, Existing existing);
+
+/// Throws now if the folder is not there and cannot be made. @throws OutputFailed
+void requireFolderOutput(const std::filesystem::path& folder);
+
+/// What was read must not be replaced by what is made of it.
+/// @throws InvalidOption if the output is one of the inputs, by whatever path
+void requireOtherThanInputs(const std::filesystem::path& output,
+                            std::span<const std::filesystem::path> inputs);
 
 bool isTreeFileName(const std::filesystem::path& path);
 

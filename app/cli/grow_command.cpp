@@ -52,6 +52,8 @@ void requireUsable(const GrowArguments& arguments, const CommonOptions& common) 
   requireOneOrgan(arguments, "grow");
   requireTreeOutput(common.output, common.existing());
   requirePointsOutput(arguments, common);
+  requireOtherThanInputs(common.output, {&arguments.central, 1});
+  requireOtherThanInputs(common.output, arguments.lobes);
   if (arguments.report.empty()) return;
   requireOutput(arguments.report, common.existing());
   if (arguments.report == common.output) {

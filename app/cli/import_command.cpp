@@ -20,8 +20,8 @@ struct ImportArguments {
 };
 
 Json importReport(const ImportArguments& arguments, const CtFile& file,
-                  const std::filesystem::path& output) {
-  const std::vector<InputFile> inputs = {ctInput(arguments.input, file)};
+                  const std::filesystem::path& output, const Progress& progress) {
+  const std::vector<InputFile> inputs = {ctInput(arguments.input, file, progress)};
   Json report = reportEnvelope("pneuma/import/1", inputs, toJson(arguments.corrections), 0);
   report["output"] = output.string();
   report["ct"] = {{"path", arguments.input.string()}};
@@ -33,9 +33,13 @@ Json importReport(const ImportArguments& arguments, const CtFile& file,
 ExitCode runImport(const ImportArguments& arguments, const CommonOptions& common,
                    const Progress& progress) {
   requireVolumeOutput(common.output, common.existing());
+  requireOtherThanInputs(common.output, {&arguments.input, 1});
   const CtFile file = readCt(arguments.input, arguments.corrections,
-                             progress.part(0.0, 0.7, "reading"), arguments.series);
-  const Json report = importReport(arguments, file, common.output);
+                             progress.part(0.0, 0.6, "reading"), arguments.series);
+  Json report;
+  if (common.json) {
+    report = importReport(arguments, file, common.output, progress.part(0.6, 0.7, "hashing"));
+  }
   progress.part(0.7, 1.0, "writing").report(0.0);
   writeVolume(common.output, file.image, common.existing());
   progress.report(1.0);

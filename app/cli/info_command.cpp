@@ -118,16 +118,19 @@ FileInfo treeInfo(const std::filesystem::path& path) {
 }
 
 /// Missing slices are interpolated here, so that the rest of the card can be told with them.
-FileInfo ctInfo(const std::filesystem::path& path, bool identifiers, std::vector<InputFile>& inputs,
+/// @param inputs gets what was read, unless nullptr
+FileInfo ctInfo(const std::filesystem::path& path, bool identifiers, std::vector<InputFile>* inputs,
                 const Progress& progress) {
   const CtFile file = readCt(path, {.fillGaps = true}, progress.part(0.0, 0.3, "reading"));
-  inputs.push_back(ctInput(path, file));
+  if (inputs != nullptr) {
+    inputs->push_back(ctInput(path, file, progress.part(0.3, 0.4, "hashing")));
+  }
   FileInfo info;
   info.json = {{"path", path.string()}};
   info.json.update(ctJson(file, identifiers));
   info.text = path.string() + ": " + file.format + " CT\n" + ctText(file, identifiers);
   const OrientationCheck check =
-      checkOrientation(file.image, progress.part(0.3, 1.0, "looking which lung is the right one"));
+      checkOrientation(file.image, progress.part(0.4, 1.0, "looking which lung is the right one"));
   info.text += "  " + std::string(check.maybeSwapped() ? "! " : "") + check.sentence + "\n";
   info.json["orientation"] = {{"checked", check.hands.has_value()},
                               {"maybe_swapped", check.maybeSwapped()},
@@ -150,7 +153,8 @@ std::vector<std::filesystem::path> opened(const std::vector<std::filesystem::pat
       models = expanded({&path, 1});
     } else {
       files.push_back(path);
-      if (std::filesystem::is_directory(path)) models = modelsIn(path);
+      std::error_code error;
+      if (std::filesystem::is_directory(path, error)) models = modelsIn(path);
     }
     files.insert(files.end(), models.begin(), models.end());
   }
@@ -168,9 +172,10 @@ ExitCode runInfo(const std::vector<std::filesystem::path>& paths, bool identifie
     const double to = static_cast<double>(i + 1) / static_cast<double>(files.size());
     FileInfo info;
     if (isCtPath(files[i])) {
-      info = ctInfo(files[i], identifiers, inputs, progress.part(from, to, "reading"));
+      info = ctInfo(files[i], identifiers, common.json ? &inputs : nullptr,
+                    progress.part(from, to, "reading"));
     } else {
-      inputs.push_back(inputFile(files[i]));
+      if (common.json) inputs.push_back(inputFile(files[i], progress.part(from, to, "hashing")));
       info = isTreeFile(files[i]) ? treeInfo(files[i])
                                   : surfaceInfo(files[i], progress.part(from, to, "examining"));
     }

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <filesystem>
 #include <iostream>
 #include <new>
 
@@ -14,6 +15,14 @@ void complain(std::string message) {
   while (!message.empty() && message.back() == '\n') message.pop_back();
   std::replace(message.begin(), message.end(), '\n', ' ');
   std::cerr << "pneuma: " << message << std::endl;
+}
+
+/// Of what no command has put in a sentence: an input cannot be read, unless only writing fails so.
+pneuma::ExitCode codeOf(const std::filesystem::filesystem_error& error) {
+  const std::error_code code = error.code();
+  const bool writing = code == std::errc::no_space_on_device ||
+                       code == std::errc::read_only_file_system || code == std::errc::file_exists;
+  return writing ? pneuma::ExitCode::OutputFailed : pneuma::ExitCode::InputMissing;
 }
 
 pneuma::ExitCode run(int argc, char** argv) {
@@ -37,8 +46,14 @@ int main(int argc, char** argv) {
   } catch (const pneuma::Error& error) {
     complain(error.what());
     return static_cast<int>(error.code());
+  } catch (const std::filesystem::filesystem_error& error) {
+    const pneuma::ExitCode code = codeOf(error);
+    complain((code == pneuma::ExitCode::OutputFailed ? "cannot write '" : "cannot read '") +
+             error.path1().string() + "': " + error.code().message() +
+             "; check its name and folder");
+    return static_cast<int>(code);
   } catch (const std::bad_alloc&) {
-    complain("there is not enough memory; use fewer points or a machine with more");
+    complain("there is not enough memory; use a smaller input or a machine with more");
     return static_cast<int>(pneuma::ExitCode::OutOfMemory);
   } catch (const std::exception& error) {
     complain(std::string("internal error: ") + error.what() +

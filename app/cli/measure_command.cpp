@@ -43,6 +43,7 @@ ExitCode runMeasure(const MeasureArguments& arguments, const CommonOptions& comm
   if (arguments.csv && common.json) throw InvalidOption("measure takes --csv or --json, not both");
   requireOneRegion(arguments, "measure");
   if (!common.output.empty()) requireOutput(common.output, common.existing());
+  requireOtherThanInputs(common.output, {&arguments.tree, 1});
   const TreeFile file = readTree(arguments.tree);
   const LungModel organ = opened(arguments, progress.part(0.0, 0.3, "reading"));
   const TreeMeasurement measured =

@@ -52,6 +52,7 @@ void requireUsable(const RenderArguments& arguments, const CommonOptions& common
     throw InvalidOption("--diff needs --reference, the picture to compare with");
   }
   requirePngOutput(common.output, common.existing());
+  requireOtherThanInputs(common.output, {&arguments.reference, 1});
   if (!arguments.difference.empty()) requirePngOutput(arguments.difference, common.existing());
   if (!arguments.reference.empty()) (void)readPng(arguments.reference);
   if (!drawsSlices(arguments)) requireDisplay();

@@ -47,6 +47,7 @@ std::string summary(const std::filesystem::path& output, const Repaired& result)
 ExitCode runRepair(const std::filesystem::path& input, const CommonOptions& common,
                    const Progress& progress) {
   requireSurfaceOutput(common.output, common.existing());
+  requireOtherThanInputs(common.output, {&input, 1});
   const SurfaceFile file = readSurface(input);
   const Repaired result = repaired(file.mesh, progress.part(0.0, 1.0, "mending"));
   progress.report(1.0);

@@ -38,9 +38,14 @@ void requireUsable(const SegmentArguments& arguments, const CommonOptions& commo
   if (!common.output.empty()) requireVolumeOutput(common.output, common.existing());
   if (!arguments.central.empty()) requireTreeOutput(arguments.central, common.existing());
   if (!arguments.report.empty()) requireOutput(arguments.report, common.existing());
+  for (const auto& output : {common.output, arguments.central, arguments.report}) {
+    requireOtherThanInputs(output, {&arguments.input, 1});
+  }
   if (arguments.surfaces.empty()) return;
+  requireFolderOutput(arguments.surfaces);
+  std::error_code error;
   for (const char* name : {"right.vtp", "left.vtp"}) {
-    if (std::filesystem::exists(arguments.surfaces)) {
+    if (std::filesystem::exists(arguments.surfaces, error)) {
       requireSurfaceOutput(arguments.surfaces / name, common.existing());
     }
   }

@@ -13,6 +13,7 @@
 #include <unistd.h>
 
 #include "core/error.h"
+#include "io/detail/hex_digits.h"
 #include "io/detail/input_file.h"
 #include "io/detail/text_fields.h"
 
@@ -205,14 +206,7 @@ std::string sha256(std::string_view content) {
       1) {
     throw Error(ExitCode::Internal, "OpenSSL could not compute a SHA-256");
   }
-  constexpr std::string_view Digits = "0123456789abcdef";
-  std::string text;
-  text.reserve(2 * std::size_t{size});
-  for (unsigned int i = 0; i < size; ++i) {
-    text += Digits[digest[i] >> 4];
-    text += Digits[digest[i] & 15];
-  }
-  return text;
+  return hexDigits({digest.data(), size});
 }
 
 }  // namespace pneuma

@@ -12,6 +12,7 @@
 #include <vtkDICOMDictionary.h>
 
 #include "io/detail/dicom_elements.h"
+#include "io/detail/hex_digits.h"
 #include "io/detail/text_fields.h"
 
 namespace pneuma {
@@ -109,16 +110,10 @@ std::vector<unsigned char> hmac(std::string_view text, std::string_view key) {
 }
 
 std::string pseudonym(std::string_view id, std::string_view key) {
-  static constexpr std::string_view Digits = "0123456789ABCDEF";
   std::string patient = "patient ";
   patient += id;
   const std::vector<unsigned char> digest = hmac(patient, key);
-  std::string text = "ANON-";
-  for (std::size_t i = 0; i < 6; ++i) {
-    text += Digits[digest[i] >> 4];
-    text += Digits[digest[i] & 15];
-  }
-  return text;
+  return "ANON-" + hexDigits({digest.data(), 6}, "0123456789ABCDEF");
 }
 
 /// The common words, and numbers of up to three digits with or without a unit.

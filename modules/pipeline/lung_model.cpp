@@ -9,7 +9,7 @@
 #include "core/parallel.h"
 #include "core/seconds.h"
 #include "geometry/surface_domain.h"
-#include "io/atomic_file.h"
+#include "io/input_files.h"
 #include "io/surface_file.h"
 #include "io/tree_file.h"
 #include "io/volume_file.h"
@@ -22,27 +22,26 @@ namespace fs = std::filesystem;
 
 std::string quoted(const fs::path& path) { return "'" + path.string() + "'"; }
 
-InputFile inputFile(const fs::path& path) { return {path.string(), sha256(readFile(path))}; }
+InputFile inputFile(const fs::path& path) { return {path.string(), sha256OfFile(path)}; }
+
+bool isFolder(const fs::path& path) {
+  std::error_code error;
+  return fs::is_directory(path, error);
+}
 
 /// The files of a folder that are surfaces of a lobe or a lung by name, sorted.
 std::vector<fs::path> lobeFilesIn(const fs::path& folder) {
-  std::vector<fs::path> files;
-  std::error_code error;
-  for (const auto& entry : fs::directory_iterator(folder, error)) {
-    if (entry.is_regular_file() && isSurfaceFileName(entry.path()) &&
-        lobeOfFileName(entry.path().filename().string()).has_value()) {
-      files.push_back(entry.path());
-    }
-  }
-  if (error) throw InputMissing("the folder " + quoted(folder) + " cannot be read");
-  std::ranges::sort(files);
+  std::vector<fs::path> files = filesIn(folder);
+  std::erase_if(files, [](const fs::path& file) {
+    return !isSurfaceFileName(file) || !lobeOfFileName(file.filename().string()).has_value();
+  });
   return files;
 }
 
 std::vector<fs::path> expanded(std::span<const fs::path> paths) {
   std::vector<fs::path> files;
   for (const fs::path& path : paths) {
-    if (!fs::is_directory(path)) {
+    if (!isFolder(path)) {
       files.push_back(path);
       continue;
     }
@@ -232,15 +231,12 @@ LungModel openFiles(std::span<const fs::path> paths, const Progress& progress) {
   for (const fs::path& path : paths) {
     if (isCtPath(path)) {
       (isLabelFile(path) ? labels : cts).push_back(path);
-    } else if (fs::is_directory(path)) {
+    } else if (isFolder(path)) {
       surfaces.push_back(path);
-      std::error_code error;
-      for (const auto& entry : fs::directory_iterator(path, error)) {
-        if (entry.is_regular_file() && entry.path().stem() == "central") {
-          trees.push_back(entry.path());
-        }
+      for (const fs::path& file : filesIn(path)) {
+        if (file.stem() == "central") trees.push_back(file);
       }
-    } else if (fs::exists(path) && isTreeFile(path)) {
+    } else if (std::error_code error; fs::exists(path, error) && isTreeFile(path)) {
       trees.push_back(path);
     } else {
       surfaces.push_back(path);

@@ -20,6 +20,18 @@ refuses "no extension" 5 "tree.*vtp" grow ball.obj -o tree
 refuses "an unknown surface format" 5 "ball.swc.*stl" repair ball.obj -o ball.swc
 refuses "an unknown picture format" 5 "ball.jpg.*png" render ball.obj -o ball.jpg
 refuses "a picture that is there" 6 "there.png.*exists" render ball.obj -o "$(: >there.png; echo there.png)"
+"$PNEUMA" export ball.obj -o same.stl -q
+ln -s same.stl link.stl
+"$PNEUMA" grow ball.obj --method centroid --terminals 200 -o same.swc -q
+refuses "repair onto its input" 2 "same.stl.*same file" repair same.stl -o same.stl --force
+refuses "repair onto its input by a link" 2 "link.stl.*same file" repair same.stl -o link.stl --force
+refuses "export onto its input" 2 "same.stl.*same file" export same.stl -o same.stl --force
+refuses "measure onto its input" 2 "same.swc.*same file" measure same.swc -o same.swc --force
+refuses "compare onto an input" 2 "same.swc.*same file" compare same.swc same.swc -o same.swc --force
+refuses "compare surfaces onto an input" 2 "same.stl.*same file" compare same.stl ball.obj -o same.stl --force
+refuses "grow onto its airways" 2 "same.swc.*same file" grow ball.obj --central same.swc -o same.swc --force
+"$PNEUMA" export ball.obj -o same.vtp -q
+refuses "grow onto its surface" 2 "same.vtp.*same file" grow same.vtp -o same.vtp --force
 refuses "repair onto a file" 6 "there.stl.*exists" repair ball.obj -o "$(: >there.stl; echo there.stl)"
 refuses "export onto a file" 6 "there.stl.*exists" export ball.obj -o there.stl
 refuses "measure onto a file" 6 "there.json.*exists" measure nothing.swc -o there.json

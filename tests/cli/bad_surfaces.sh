@@ -17,7 +17,10 @@ refuses "a surface of no volume" 4 "flat.obj" grow flat.obj -o tree.vtp
 refuses "a lobe in metres" 4 "metres.obj.*metres.*--from-units m" grow metres.obj -o tree.vtp
 refuses "a triangle turned round" 4 "one_turned.obj" grow one_turned.obj -o tree.vtp
 
+mkdir loops && ln -s loop loops/loop
+refuses "a folder with a link to itself only" 4 "loops.*holds no lobe surface" grow loops -o tree.vtp
 fiveBalls lobes
+ln -s loop lobes/loop # no file, and in nobody's way
 cp lobes/rul.obj lobes/case_RUL.obj
 refuses "two files for one lobe" 4 "rul.*rul.*one file per lobe" grow lobes -o tree.vtp
 rm lobes/case_RUL.obj

@@ -38,8 +38,11 @@ InputFile::InputFile(const fs::path& path) : path_(path), file_(openedForReading
   struct stat information {};
 
   if (!file_.isOpen() || ::fstat(file_.number(), &information) != 0) {
+    const int reason = errno;
     throw InputMissing("cannot read " + quoted(path) + ": " +
-                       std::generic_category().message(errno) + "; check its permissions");
+                       std::generic_category().message(reason) +
+                       (reason == EACCES || reason == EPERM ? "; check its permissions"
+                                                            : "; check its name and folder"));
   }
   if (!S_ISREG(information.st_mode)) {
     throw InputMissing(quoted(path) + " is a device or a pipe; name a file");
