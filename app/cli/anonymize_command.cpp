@@ -3,6 +3,7 @@
 #include <iostream>
 #include <map>
 #include <memory>
+#include <optional>
 #include <random>
 
 #include "cli/arguments.h"
@@ -11,6 +12,7 @@
 #include "cli/text.h"
 #include "io/dicom_anonymizer.h"
 #include "io/dicom_series.h"
+#include "io/input_files.h"
 #include "pipeline/report.h"
 
 namespace pneuma::cli {
@@ -20,10 +22,14 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t LongestKeyFile = std::size_t{1} << 16;
 constexpr std::size_t LongestDicom = std::size_t{4} << 30;
+constexpr std::size_t ShortestKey = 8;
 
 struct AnonymizeArguments {
   fs::path input;
-  std::string key;
+  std::optional<std::string> key;
+  std::optional<fs::path> keyFile;
+
+  bool keyGiven() const { return key || keyFile; }
 };
 
 /// What was done to all files.
@@ -33,51 +39,57 @@ struct Summary {
   std::size_t privateRemoved = 0;
   std::map<std::string, std::size_t> removed;
   std::map<std::string, int> series;  ///< by new UID, in the order met, from 1
-  std::vector<std::string> left;      ///< DICOM without a picture
+  std::size_t withoutPicture = 0;     ///< DICOM files left out
+  std::size_t others = 0;             ///< files left out that are no DICOM
   std::vector<std::string> warnings;
 };
 
-/// The text, or the content of the file of that name; a random one if none is given.
-std::string keyOf(const std::string& given) {
-  std::error_code error;
-  if (given.empty()) {
+/// The text, or the content of the file; a random one if none is given.
+std::string keyOf(const AnonymizeArguments& arguments) {
+  if (!arguments.keyGiven()) {
     std::random_device device;
     std::string key;
     for (int i = 0; i < 8; ++i) key += std::to_string(device());
     return key;
   }
-  if (!fs::is_regular_file(given, error)) return given;
-  std::string key = readFile(given, LongestKeyFile);
+  const std::string tooShort =
+      " is shorter than " + std::to_string(ShortestKey) + " characters; take one nobody can guess";
+  if (arguments.key) {
+    std::error_code error;
+    if (fs::is_regular_file(*arguments.key, error)) {
+      throw InvalidOption("--key takes the key itself, but '" + *arguments.key +
+                          "' is a file; give it by --key-file");
+    }
+    if (arguments.key->size() < ShortestKey) throw InvalidOption("the --key" + tooShort);
+    return *arguments.key;
+  }
+  std::string key = readFile(*arguments.keyFile, LongestKeyFile);
   while (!key.empty() && (key.back() == '\n' || key.back() == '\r')) key.pop_back();
-  if (key.empty()) throw InvalidInput("the key file '" + given + "' is empty");
+  if (key.size() < ShortestKey) {
+    throw InvalidInput("the key in '" + arguments.keyFile->string() + "'" + tooShort);
+  }
   return key;
 }
 
-std::vector<fs::path> dicomFiles(const fs::path& input) {
+/// The DICOM files; those beside them are counted.
+std::vector<fs::path> dicomFiles(const fs::path& input, std::size_t& others) {
   std::error_code error;
   if (!fs::exists(input, error)) {
     throw InputMissing("'" + input.string() + "' is not there; check the path");
   }
-  std::vector<fs::path> files;
-  if (fs::is_regular_file(input, error)) {
-    files.push_back(input);
-  } else {
-    for (fs::recursive_directory_iterator entry(input, error), end; !error && entry != end;
-         entry.increment(error)) {
-      if (entry->is_regular_file() && isDicomPath(entry->path())) files.push_back(entry->path());
-    }
-    if (error) throw InputMissing("'" + input.string() + "' cannot be read: " + error.message());
+  std::vector<fs::path> files = {input};
+  if (fs::is_directory(input, error)) {
+    files = filesBelow(input);
+    others = std::erase_if(files, [](const fs::path& file) { return !isDicomFile(file); });
   }
   if (files.empty()) throw InputMissing("there is no DICOM file in '" + input.string() + "'");
-  std::ranges::sort(files);
   return files;
 }
 
 void requireEmptyFolder(const fs::path& folder) {
   std::error_code error;
-  if (!fs::exists(folder, error)) {
-    requireOutput(folder, Existing::Refuse);  // can be made
-  } else if (!fs::is_directory(folder, error) || !fs::is_empty(folder, error)) {
+  requireFolderOutput(folder);
+  if (fs::exists(folder, error) && !fs::is_empty(folder, error)) {
     throw OutputFailed("'" + folder.string() +
                        "' is not an empty folder; choose a new one, so that nothing there is "
                        "mistaken for anonymized");
@@ -105,15 +117,14 @@ void writeAnonymized(const AnonymizedDicom& file, const fs::path& folder, Summar
 
 Json anonymizeReport(const AnonymizeArguments& arguments, const fs::path& output,
                      const Summary& summary) {
-  Json report =
-      reportEnvelope("pneuma/anonymize/1", {}, {{"key_given", !arguments.key.empty()}}, 0);
+  Json report = reportEnvelope("pneuma/anonymize/1", {}, {{"key_given", arguments.keyGiven()}}, 0);
   report["output"] = output.string();
   report["files"] = summary.files;
   report["series"] = summary.series.size();
   report["uids_replaced"] = summary.uidsReplaced;
   report["private_removed"] = summary.privateRemoved;
   report["removed"] = summary.removed;
-  report["left_out"] = summary.left.size();
+  report["left_out"] = summary.withoutPicture + summary.others;
   report["warnings"] = summary.warnings;
   return report;
 }
@@ -131,9 +142,9 @@ std::string textOf(const fs::path& output, const Summary& summary) {
 ExitCode runAnonymize(const AnonymizeArguments& arguments, const CommonOptions& common,
                       const Progress& progress) {
   requireEmptyFolder(common.output);
-  const std::string key = keyOf(arguments.key);
-  const std::vector<fs::path> files = dicomFiles(arguments.input);
+  const std::string key = keyOf(arguments);
   Summary summary;
+  const std::vector<fs::path> files = dicomFiles(arguments.input, summary.others);
   std::map<int, int> counts;
   OutputSet outputs;
   outputs.addFolder(common.output);
@@ -143,7 +154,7 @@ ExitCode runAnonymize(const AnonymizeArguments& arguments, const CommonOptions& 
     const AnonymizedDicom file =
         anonymizedDicom(readFile(files[i], LongestDicom), key, files[i].filename().string());
     if (!file.hasPixels) {
-      summary.left.push_back(files[i].filename().string());
+      ++summary.withoutPicture;
       continue;
     }
     if (!file.burnedIn.empty()) {
@@ -160,14 +171,18 @@ ExitCode runAnonymize(const AnonymizeArguments& arguments, const CommonOptions& 
     throw Unsupported("none of the " + std::to_string(files.size()) + " DICOM files in '" +
                       arguments.input.string() + "' holds a picture; reports are not anonymized");
   }
-  if (!summary.left.empty()) {
+  if (summary.withoutPicture > 0) {
     summary.warnings.push_back(
-        std::to_string(summary.left.size()) +
+        std::to_string(summary.withoutPicture) +
         " DICOM files without a picture (reports and the like) were left out");
   }
-  if (arguments.key.empty()) {
+  if (summary.others > 0) {
+    summary.warnings.push_back(std::to_string(summary.others) +
+                               " files that are no DICOM were left out");
+  }
+  if (!arguments.keyGiven()) {
     summary.warnings.emplace_back(
-        "no --key was given: the UIDs and names of this run cannot be made again");
+        "no key was given: the UIDs and names of this run cannot be made again");
   }
   outputs.keep();
   progress.report(1.0);
@@ -190,9 +205,13 @@ Run declareAnonymize(CLI::App& app, CommonOptions& common) {
   app.add_option("-o,--output", common.output, "Where the anonymized files go; made, or empty.")
       ->type_name("FOLDER")
       ->required();
-  app.add_option("--key", arguments->key,
-                 "A secret, or the file that holds it: the same key gives the same new UIDs.")
-      ->type_name("FILE|TEXT");
+  CLI::Option* key =
+      app.add_option("--key", arguments->key,
+                     "A secret of 8 characters or more: the same key gives the same new UIDs.")
+          ->type_name("TEXT");
+  app.add_option("--key-file", arguments->keyFile, "The file that holds the key.")
+      ->type_name("FILE")
+      ->excludes(key);
   addJson(app, common);
   return [arguments, &common](const Progress& progress) {
     return runAnonymize(*arguments, common, progress);

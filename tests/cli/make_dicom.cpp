@@ -1,4 +1,4 @@
-// make_dicom FOLDER [gap|tilt|mr|uneven|two]: a small CT series, spoilt in one way.
+// make_dicom FOLDER [gap|tilt|mr|uneven|two|head|far]: a small CT series, spoilt in one way.
 #include <cstdio>
 #include <string>
 
@@ -10,16 +10,18 @@ using pneuma::testing::SeriesSpec;
 
 int main(int argc, char** argv) {
   if (argc < 2) {
-    std::fputs("usage: make_dicom FOLDER [gap|tilt|mr|uneven|two]\n", stderr);
+    std::fputs("usage: make_dicom FOLDER [gap|tilt|mr|uneven|two|head|far]\n", stderr);
     return 2;
   }
   const std::string folder = argv[1];
   const std::string way = argc > 2 ? argv[2] : "";
   SeriesSpec spec;
   spec.slices = 20;
+  if (way == "far") spec.step = Vec3(0.0, 0.0, 1e200);
   if (way == "tilt") spec.step = Vec3(0.0, 0.6, 3.0);
   spec.change = [&](DicomMaker& maker, int k) {
     if (way == "mr") maker.setText(0x00080060, "CS", "MR");
+    if (way == "head") maker.setText(0x00180015, "CS", "HEAD");
     if (way == "uneven" && k % 2 == 1) maker.position(spec.point(0, 0, k) + Vec3(0.0, 0.0, 0.5));
     return way != "gap" || (k != 7 && k != 8);
   };
