@@ -83,11 +83,14 @@ ExitCode runSegment(const SegmentArguments& arguments, const CommonOptions& comm
                     const Progress& progress) {
   requireUsable(arguments, common);
   const auto start = std::chrono::steady_clock::now();
-  CtFile file = readCt(arguments.input, arguments.corrections, progress.part(0.0, 0.2, "reading"),
+  CtFile file = readCt(arguments.input, arguments.corrections, progress.part(0.0, 0.15, "reading"),
                        arguments.series);
-  const InputFile input = ctInput(arguments.input, file);
+  std::vector<InputFile> inputs;
+  if (common.json || !arguments.report.empty()) {
+    inputs.push_back(ctInput(arguments.input, file, progress.part(0.15, 0.2, "hashing")));
+  }
   LungModel model = modelOf(std::move(file), arguments.input);
-  model.inputs = {input};
+  model.inputs = std::move(inputs);
   const double readSeconds = secondsSince(start);
   model = arguments.surfaces.empty()
               ? withLungs(model, arguments.lungs, progress.part(0.2, 0.9, "finding the lungs"))

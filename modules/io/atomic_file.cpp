@@ -188,7 +188,7 @@ void writeFile(const fs::path& path, std::string_view content, Existing existing
 }
 
 std::string readFile(const fs::path& path, std::size_t limit) {
-  const InputFile file(path);
+  const ReadableFile file(path);
   if (file.size() > limit) {
     throw InvalidInput(quoted(path) + " has " + std::to_string(file.size()) +
                        " bytes, more than the limit of " + std::to_string(limit) +

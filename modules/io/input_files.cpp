@@ -44,7 +44,7 @@ std::vector<fs::path> filesBelow(const fs::path& folder) {
 }
 
 std::string sha256OfFile(const fs::path& path, const Progress& progress) {
-  const InputFile file(path);
+  const ReadableFile file(path);
   const std::unique_ptr<EVP_MD_CTX, decltype(&EVP_MD_CTX_free)> context(EVP_MD_CTX_new(),
                                                                         &EVP_MD_CTX_free);
   if (!context) throw std::bad_alloc();

@@ -21,7 +21,7 @@ std::string formatOfName(const std::filesystem::path& path) {
   return "";
 }
 
-VolumeLayout layoutOf(const InputFile& file) {
+VolumeLayout layoutOf(const ReadableFile& file) {
   switch (formatOf(file)) {
     case VolumeFormat::Nifti:
       return niftiLayout(file);
@@ -46,7 +46,7 @@ VolumeLayout layoutOf(const InputFile& file) {
 
 /// Everything but the voxels, checked.
 VolumeLayout checkedLayout(const std::filesystem::path& path) {
-  const InputFile file(path);
+  const ReadableFile file(path);
   VolumeLayout layout = layoutOf(file);
   VolumeHeader& header = layout.header;
   header.scalarType = nameOf(layout.scalar);
@@ -67,7 +67,7 @@ bool isVolumeFileName(const std::filesystem::path& path) { return !formatOfName(
 
 bool isVolumeFile(const std::filesystem::path& path) {
   try {
-    return formatOf(InputFile(path)) != VolumeFormat::None || isVolumeFileName(path);
+    return formatOf(ReadableFile(path)) != VolumeFormat::None || isVolumeFileName(path);
   } catch (const InputMissing&) {
     std::error_code ignored;
     return isVolumeFileName(path) && !std::filesystem::is_directory(path, ignored);

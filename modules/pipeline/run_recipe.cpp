@@ -7,6 +7,7 @@
 #include "core/error.h"
 #include "core/seconds.h"
 #include "io/atomic_file.h"
+#include "io/input_files.h"
 #include "io/surface_file.h"
 #include "io/tree_file.h"
 #include "io/volume_file.h"
@@ -24,8 +25,11 @@ namespace {
 std::string contentHash(const std::vector<std::filesystem::path>& files, const Progress& progress) {
   std::string all;
   for (std::size_t n = 0; n < files.size(); ++n) {
-    all += files[n].filename().string() + "\n" + sha256(readFile(files[n]));
-    progress.report(static_cast<double>(n + 1) / static_cast<double>(files.size()));
+    const auto part = [&](std::size_t done) {
+      return static_cast<double>(done) / static_cast<double>(files.size());
+    };
+    all += files[n].filename().string() + "\n" +
+           sha256OfFile(files[n], progress.part(part(n), part(n + 1), "hashing"));
   }
   return sha256(all);
 }

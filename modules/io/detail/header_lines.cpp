@@ -28,7 +28,7 @@ std::string_view HeaderFields::firstOf(std::initializer_list<const char*> keys) 
   return {};
 }
 
-std::string headerText(const InputFile& file) {
+std::string headerText(const ReadableFile& file) {
   std::string text(std::min(file.size(), LongestHeader), '\0');
   text.resize(file.read(text, 0));
   return text;

@@ -27,6 +27,6 @@ class HeaderFields {
 };
 
 /// The beginning of a file in which a text header must end.
-std::string headerText(const InputFile& file);
+std::string headerText(const ReadableFile& file);
 
 }  // namespace pneuma

@@ -34,7 +34,7 @@ Descriptor::~Descriptor() {
   if (number_ >= 0) ::close(number_);
 }
 
-InputFile::InputFile(const fs::path& path) : path_(path), file_(openedForReading(path)) {
+ReadableFile::ReadableFile(const fs::path& path) : path_(path), file_(openedForReading(path)) {
   struct stat information {};
 
   if (!file_.isOpen() || ::fstat(file_.number(), &information) != 0) {
@@ -50,7 +50,7 @@ InputFile::InputFile(const fs::path& path) : path_(path), file_(openedForReading
   size_ = static_cast<std::uint64_t>(information.st_size);
 }
 
-std::size_t InputFile::read(std::span<char> bytes, std::uint64_t offset) const {
+std::size_t ReadableFile::read(std::span<char> bytes, std::uint64_t offset) const {
   std::size_t filled = 0;
   while (filled < bytes.size()) {
     const ssize_t count = ::pread(file_.number(), bytes.data() + filled, bytes.size() - filled,

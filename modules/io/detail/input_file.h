@@ -26,10 +26,10 @@ class Descriptor {
 };
 
 /// A regular file, open for reading piece by piece.
-class InputFile {
+class ReadableFile {
  public:
   /// @throws InputMissing if it is missing, unreadable, a folder, a device or a pipe
-  explicit InputFile(const std::filesystem::path& path);
+  explicit ReadableFile(const std::filesystem::path& path);
 
   const std::filesystem::path& path() const { return path_; }
 

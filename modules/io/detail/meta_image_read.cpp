@@ -16,7 +16,7 @@ struct Header {
 };
 
 /// "Key = value" line by line; ElementDataFile is the last.
-Header headerOf(const InputFile& file, const std::string& name) {
+Header headerOf(const ReadableFile& file, const std::string& name) {
   const std::string text = headerText(file);
   Header header;
   Lines lines(text);
@@ -140,7 +140,7 @@ void readScale(const HeaderFields& fields, VolumeHeader& header, const std::stri
   }
 }
 
-void placeData(const Header& header, VolumeLayout& layout, const InputFile& file,
+void placeData(const Header& header, VolumeLayout& layout, const ReadableFile& file,
                const std::string& name) {
   const HeaderFields& fields = header.fields;
   const std::string_view dataFile = fields["elementdatafile"];
@@ -174,7 +174,7 @@ void placeData(const Header& header, VolumeLayout& layout, const InputFile& file
 
 }  // namespace
 
-VolumeLayout metaImageLayout(const InputFile& file) {
+VolumeLayout metaImageLayout(const ReadableFile& file) {
   const std::string name = quoted(file.path());
   const Header header = headerOf(file, name);
   const HeaderFields& fields = header.fields;

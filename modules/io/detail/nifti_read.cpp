@@ -231,7 +231,7 @@ bool isNiftiHeader(std::string_view head) {
   return is(sizeof(NiftiStruct)) || (is(Nifti2Bytes) && head.substr(4, 2) == "n+");
 }
 
-VolumeLayout niftiLayout(const InputFile& file) {
+VolumeLayout niftiLayout(const ReadableFile& file) {
   const std::string name = quoted(file.path());
   VolumeLayout layout;
   layout.header.format = "NIfTI";

@@ -27,7 +27,7 @@ std::string_view properField(std::string_view field) {
 }
 
 /// "field: value" line by line up to an empty line; "key:=value" and comments say nothing here.
-Header headerOf(const InputFile& file, const std::string& name) {
+Header headerOf(const ReadableFile& file, const std::string& name) {
   const std::string text = headerText(file);
   Header header;
   Lines lines(text);
@@ -129,7 +129,7 @@ bool isBigEndian(const HeaderFields& fields, Scalar scalar, const std::string& n
                      "; add \"endian: little\" or \"endian: big\" to its header");
 }
 
-void placeData(const Header& header, VolumeLayout& layout, const InputFile& file,
+void placeData(const Header& header, VolumeLayout& layout, const ReadableFile& file,
                const std::string& name) {
   const HeaderFields& fields = header.fields;
   if (fields.has("data file")) {
@@ -163,7 +163,7 @@ void placeData(const Header& header, VolumeLayout& layout, const InputFile& file
 
 }  // namespace
 
-VolumeLayout nrrdLayout(const InputFile& file) {
+VolumeLayout nrrdLayout(const ReadableFile& file) {
   const std::string name = quoted(file.path());
   const Header header = headerOf(file, name);
   VolumeLayout layout;

@@ -19,7 +19,7 @@ constexpr int EitherWrapper = 47;
 
 }  // namespace
 
-UnpackedData::UnpackedData(const InputFile& file, std::uint64_t offset, bool compressed)
+UnpackedData::UnpackedData(const ReadableFile& file, std::uint64_t offset, bool compressed)
     : file_(file), offset_(offset) {
   if (!compressed) return;
   stream_ = std::make_unique<z_stream_s>();

@@ -15,7 +15,7 @@ namespace pneuma {
 class UnpackedData {
  public:
   /// From `offset` on. @throws InputMissing
-  UnpackedData(const InputFile& file, std::uint64_t offset, bool compressed);
+  UnpackedData(const ReadableFile& file, std::uint64_t offset, bool compressed);
   ~UnpackedData();
   UnpackedData(const UnpackedData&) = delete;
   UnpackedData& operator=(const UnpackedData&) = delete;
@@ -32,7 +32,7 @@ class UnpackedData {
   bool refill();
   bool beginsAnotherMember();
 
-  const InputFile& file_;
+  const ReadableFile& file_;
   std::uint64_t offset_;  ///< of the next byte to be read from the file
   std::uint64_t unpacked_ = 0;
   bool ended_ = false;

@@ -45,7 +45,7 @@ std::string nameOf(Scalar scalar) {
   return std::string(Scalars[static_cast<std::size_t>(scalar)].name);
 }
 
-VolumeFormat formatOf(const InputFile& file) {
+VolumeFormat formatOf(const ReadableFile& file) {
   std::array<char, 4096> bytes{};
   const std::string_view head(bytes.data(), file.read(bytes, 0));
   if (head.starts_with("NRRD")) return VolumeFormat::Nrrd;

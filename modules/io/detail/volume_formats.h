@@ -40,13 +40,13 @@ struct VolumeLayout {
 enum class VolumeFormat { None, Nifti, Nrrd, MetaImage };
 
 /// By the first bytes, unpacked if they are gzip.
-VolumeFormat formatOf(const InputFile& file);
+VolumeFormat formatOf(const ReadableFile& file);
 
 // Read a header, whole and consistent or not at all.
 // @throws InvalidInput, Unsupported
-VolumeLayout niftiLayout(const InputFile& file);
-VolumeLayout nrrdLayout(const InputFile& file);
-VolumeLayout metaImageLayout(const InputFile& file);
+VolumeLayout niftiLayout(const ReadableFile& file);
+VolumeLayout nrrdLayout(const ReadableFile& file);
+VolumeLayout metaImageLayout(const ReadableFile& file);
 
 inline constexpr std::size_t NiftiHeaderBytes = 348;
 

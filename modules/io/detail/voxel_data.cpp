@@ -32,7 +32,7 @@ struct StoredBytes {
   std::uint64_t count = 0;
 };
 
-StoredBytes storedBytes(const VolumeLayout& layout, const InputFile& file) {
+StoredBytes storedBytes(const VolumeLayout& layout, const ReadableFile& file) {
   const std::uint64_t size = file.size();
   if (!layout.offset.has_value()) {
     const std::uint64_t count = std::min(size, layout.voxelBytes());
@@ -58,7 +58,7 @@ InvalidInput tooLong(const VolumeLayout& layout) {
                       needed(layout) + ", and others follow; is the header that of another file?");
 }
 
-void requireRoomIn(const VolumeLayout& layout, const InputFile& file) {
+void requireRoomIn(const VolumeLayout& layout, const ReadableFile& file) {
   const StoredBytes stored = storedBytes(layout, file);
   const std::uint64_t bytes = layout.voxelBytes();
   if (!layout.compressed) {
@@ -216,7 +216,7 @@ void skipBytes(UnpackedData& data, const VolumeLayout& layout, std::vector<char>
 }
 
 /// Whatever follows the voxels. Reading on also makes zlib compare the check sum.
-void requireEnd(UnpackedData& data, const VolumeLayout& layout, const InputFile& file) {
+void requireEnd(UnpackedData& data, const VolumeLayout& layout, const ReadableFile& file) {
   char one = 0;
   if (data.read({&one, 1}) > 0) throw tooLong(layout);
   if (layout.compressed && data.position() < file.size()) throw tooLong(layout);
@@ -225,7 +225,7 @@ void requireEnd(UnpackedData& data, const VolumeLayout& layout, const InputFile&
 template <class T>
 std::vector<T> voxelsOf(const VolumeLayout& layout, const Progress& progress) {
   progress.report(0.0);
-  const InputFile file(layout.dataFile);
+  const ReadableFile file(layout.dataFile);
   requireRoomIn(layout, file);
   const std::size_t count = layout.header.geometry.voxelCount();
   requireMemory(layout, count * sizeof(T));
@@ -258,7 +258,7 @@ std::vector<T> voxelsOf(const VolumeLayout& layout, const Progress& progress) {
 }  // namespace
 
 void requireRoomForVoxels(const VolumeLayout& layout) {
-  requireRoomIn(layout, InputFile(layout.dataFile));
+  requireRoomIn(layout, ReadableFile(layout.dataFile));
 }
 
 std::vector<std::int16_t> huVoxels(const VolumeLayout& layout, const Progress& progress) {

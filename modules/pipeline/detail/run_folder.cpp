@@ -4,6 +4,7 @@
 
 #include "core/error.h"
 #include "io/atomic_file.h"
+#include "io/input_files.h"
 
 namespace pneuma {
 namespace {
@@ -51,7 +52,7 @@ bool RunFolder::isOwn(const std::string& file) {
   bool own = false;
   for (const Json& stage : before_) {
     if (stage["files"].contains(file) && std::filesystem::is_regular_file(path_ / file, ignored)) {
-      own = sha256(readFile(path_ / file)) == stage["files"][file];
+      own = sha256OfFile(path_ / file) == stage["files"][file];
     }
   }
   return own_[file] = own;
@@ -109,7 +110,7 @@ void RunFolder::removeFrom(Stage stage) {
 void RunFolder::remember(const StageResult& result, const std::string& key) {
   Json entry = {{"key", key}, {"files", Json::object()}, {"warnings", result.warnings}};
   for (const std::string& file : result.files) {
-    entry["files"][file] = sha256(readFile(path_ / file));
+    entry["files"][file] = sha256OfFile(path_ / file);
   }
   now_[name(result.stage)] = std::move(entry);
   writeFile(path_ / run_files::State, textOf(Json{{"schema", StateSchema}, {"stages", now_}}));
