@@ -1,6 +1,7 @@
 #include "lobes/region_splitting.h"
 
 #include <cmath>
+#include <cstdlib>
 #include <map>
 #include <numbers>
 #include <set>
@@ -204,7 +205,13 @@ TEST_P(RandomLungs, SplitIntoThreeSoundLobes) {
   EXPECT_NEAR(sum / whole, 1.0, 1e-12);
 }
 
-INSTANTIATE_TEST_SUITE_P(, RandomLungs, ::testing::Range(0, 60));
+/// 60, or as many as PNEUMA_RANDOM_LUNGS says.
+int randomLungs() {
+  const char* count = std::getenv("PNEUMA_RANDOM_LUNGS");
+  return count == nullptr ? 60 : std::atoi(count);
+}
+
+INSTANTIATE_TEST_SUITE_P(, RandomLungs, ::testing::Range(0, randomLungs()));
 
 }  // namespace
 }  // namespace pneuma

@@ -1,0 +1,144 @@
+#include "io/fissure_file.h"
+
+#include <cmath>
+#include <sstream>
+
+#include "core/error.h"
+#include "io/atomic_file.h"
+#include "io/detail/text_fields.h"
+#include "io/json.h"
+
+namespace pneuma {
+namespace {
+
+constexpr std::string_view Schema = "pneuma/fissures/1";
+constexpr std::size_t MostBytes = std::size_t{64} << 20;
+
+class JsonFissures {
+ public:
+  explicit JsonFissures(const std::filesystem::path& path) : path_(path) {}
+
+  FissurePointSets read(const std::string& text) const {
+    Json json;
+    try {
+      json = Json::parse(text);
+    } catch (const Json::parse_error& error) {
+      fail("is no JSON near byte " + std::to_string(error.byte));
+    }
+    if (!json.is_object() || json.value("schema", Json()) != Schema) {
+      fail("holds no fissures: its \"schema\" should be \"" + std::string(Schema) + "\"");
+    }
+    if (json.value("space", Json("LPS")) != "LPS") fail("is not in the frame LPS");
+    const Json fissures = json.value("fissures", Json());
+    if (!fissures.is_object() || fissures.empty()) fail("has no object under \"fissures\"");
+    FissurePointSets sets;
+    for (const auto& [name, entry] : fissures.items()) {
+      const std::optional<Fissure> fissure = fissureOfShortName(name);
+      if (!fissure) {
+        fail("names a fissure \"" + name +
+             "\"; there are right-oblique, right-horizontal and left-oblique");
+      }
+      sets[*fissure] = points(name, entry);
+    }
+    return sets;
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& what) const {
+    throw InvalidInput(quoted(path_) + " " + what);
+  }
+
+  FissurePoints points(const std::string& name, const Json& entry) const {
+    if (!entry.is_object() || !entry.contains("points") || !entry["points"].is_array()) {
+      fail("has no array \"points\" under \"" + name + "\"");
+    }
+    FissurePoints set;
+    for (const Json& point : entry["points"]) {
+      const std::string which =
+          "point " + std::to_string(set.points.size() + 1) + " of \"" + name + "\"";
+      if (!point.is_array() || point.size() != 3) fail("has no three numbers as " + which);
+      Vec3 place;
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        if (!point[axis].is_number()) fail("has no three numbers as " + which);
+        place[static_cast<Eigen::Index>(axis)] = point[axis].get<double>();
+      }
+      if (!place.allFinite()) fail("has no place as " + which);
+      set.points.push_back(place);
+    }
+    if (!entry.contains("weights")) return set;
+    if (!entry["weights"].is_array() || entry["weights"].size() != set.points.size()) {
+      fail("has other than one weight for each point of \"" + name + "\"");
+    }
+    for (const Json& weight : entry["weights"]) {
+      if (!weight.is_number() || !(weight.get<double>() > 0.0)) {
+        fail("has a weight of \"" + name + "\" that is no positive number");
+      }
+      set.weights.push_back(weight.get<double>());
+    }
+    return set;
+  }
+
+  const std::filesystem::path& path_;
+};
+
+FissurePointSets readCipCsv(const std::filesystem::path& path, const std::string& text) {
+  std::istringstream lines(text);
+  std::string line;
+  std::getline(lines, line);  // the columns' names, which differ from file to file
+  FissurePointSets sets;
+  for (std::size_t number = 2; std::getline(lines, line); ++number) {
+    std::vector<std::string> fields;
+    std::istringstream row(line);
+    for (std::string field; std::getline(row, field, ',');) fields.emplace_back(trimmed(field));
+    if (fields.empty() || (fields.size() == 1 && fields[0].empty())) continue;
+    if (fields.size() != 5) {
+      throw InvalidInput(quoted(path) + " has " + std::to_string(fields.size()) +
+                         " fields in line " + std::to_string(number) +
+                         "; region, type, x, y and z are needed");
+    }
+    const bool right = fields[0] == "RIGHTLUNG";
+    const bool left = fields[0] == "LEFTLUNG";
+    std::optional<Fissure> fissure;
+    if (right && fields[1] == "HORIZONTALFISSURE") fissure = Fissure::RightHorizontal;
+    if (right && fields[1] == "OBLIQUEFISSURE") fissure = Fissure::RightOblique;
+    if (left && fields[1] == "OBLIQUEFISSURE") fissure = Fissure::LeftOblique;
+    if (!fissure) continue;
+    Vec3 place;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const std::optional<double> value = parseDouble(fields[axis + 2]);
+      if (!value || !std::isfinite(*value)) {
+        throw InvalidInput(quoted(path) + " has no number in line " + std::to_string(number) +
+                           ": '" + fields[axis + 2] + "'");
+      }
+      place[static_cast<Eigen::Index>(axis)] = *value;
+    }
+    sets[*fissure].points.push_back(place);
+  }
+  if (sets.empty()) throw InvalidInput(quoted(path) + " holds no points of fissures");
+  return sets;
+}
+
+}  // namespace
+
+FissurePointSets readFissures(const std::filesystem::path& path) {
+  const std::string text = readFile(path, MostBytes);
+  const std::string extension = lowerCase(path.extension().string());
+  if (extension == ".json") return JsonFissures(path).read(text);
+  if (extension == ".csv") return readCipCsv(path, text);
+  throw Unsupported(quoted(path) +
+                    " cannot be read as points of fissures; give .json (pneuma/fissures/1) or .csv "
+                    "(of the Chest Imaging Platform)");
+}
+
+void writeFissures(const std::filesystem::path& path, const FissurePointSets& fissures) {
+  Json json = {{"schema", Schema}, {"space", "LPS"}, {"units", "mm"}, {"fissures", Json::object()}};
+  for (const auto& [fissure, set] : fissures) {
+    Json& entry = json["fissures"][std::string(shortName(fissure))];
+    entry["points"] = Json::array();
+    for (const Vec3& p : set.points) entry["points"].push_back({p.x(), p.y(), p.z()});
+    if (!set.weights.empty()) entry["weights"] = set.weights;
+  }
+  writeFile(path, json.dump(2) + "\n");
+}
+
+}  // namespace pneuma

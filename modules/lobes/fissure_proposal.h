@@ -1,0 +1,28 @@
+#pragma once
+
+#include "anatomy/fissure.h"
+#include "core/triangle_mesh.h"
+#include "lobes/height_surface.h"
+
+namespace pneuma {
+
+/// The box that holds a lung but for half a percent of its volume at each end of every axis.
+struct LungBox {
+  Vec3 low = Vec3::Zero();
+  Vec3 high = Vec3::Zero();
+};
+
+/// @param lung closed, oriented outwards, LPS, mm
+/// @throws InvalidInput if it encloses nothing
+LungBox lungBox(const TriangleMesh& lung);
+
+/// The fissure that a lung of this box has in most people: a quadratic of x (to the left), y (to
+/// the back), both from 0 to 1 in the box. A place to begin with, never more: individuals lie 8 to
+/// 10 mm from it, and its middle lobe overlaps the true one by 0.74 (median Dice of 85 people).
+///
+/// Robust means over 100 people of the COPDGene study whose fissures were marked for the Chest
+/// Imaging Platform (LungLobeAtlasData; BSD-style licence of Brigham and Women's Hospital), carried
+/// into one lung by the affine maps given with them.
+HeightSurface proposedFissure(Fissure fissure, const LungBox& box);
+
+}  // namespace pneuma
