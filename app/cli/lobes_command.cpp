@@ -133,7 +133,8 @@ ExitCode runLobes(const LobesArguments& arguments, const CommonOptions& common,
   inputs.shares = fractionsOf(arguments.fractions);
   requireFolderOutput(common.output);
   if (!arguments.fissures.empty()) inputs.points = readFissures(arguments.fissures);
-  const LungModel model = openLobes(arguments.lungs, progress.part(0.0, 0.3, "reading surfaces"));
+  LungModel model = openLobes(arguments.lungs, progress.part(0.0, 0.3, "reading surfaces"));
+  if (!arguments.fissures.empty()) model.inputs.push_back(inputFile(arguments.fissures));
   const std::vector<std::filesystem::path> paths =
       outputsOf(common.output, model, !inputs.points.empty());
   for (const auto& path : paths) {

@@ -134,24 +134,25 @@ std::optional<PlanarTriangulation> triangulateInside(
   Triangulation triangulation;
   if (!insertLoops(triangulation, points, edges)) return std::nullopt;
   markDepths(triangulation);
-  PlanarTriangulation result;
-  result.points.assign(points.begin(), points.end());
   double widest = 1e-3;
   for (const WantedPoint& one : wanted) widest = std::max(widest, one.apart);
   const NearLoops nearLoops(points, widest);
+  std::vector<Eigen::Vector2d> inside;
   Triangulation::Face_handle near;
   for (const WantedPoint& one : wanted) {
     if (one.apart > 0.0 && nearLoops.holds(one.place, one.apart)) continue;
     near = triangulation.locate(pointOf(one.place), near);
-    if (!triangulation.is_infinite(near) && isInside(near)) result.points.push_back(one.place);
+    if (!triangulation.is_infinite(near) && isInside(near)) inside.push_back(one.place);
   }
+  PlanarTriangulation result;
+  result.points.assign(points.begin(), points.end());
   near = nullptr;
-  for (std::size_t i = points.size(); i < result.points.size(); ++i) {
-    const Triangulation::Vertex_handle vertex =
-        triangulation.insert(pointOf(result.points[i]), near);
-    if (vertex->info().value != UINT32_MAX) return std::nullopt;
-    vertex->info().value = static_cast<std::uint32_t>(i);
+  for (const Eigen::Vector2d& p : inside) {
+    const Triangulation::Vertex_handle vertex = triangulation.insert(pointOf(p), near);
     near = vertex->face();
+    if (vertex->info().value != UINT32_MAX) continue;  // there is a point in this place already
+    vertex->info().value = static_cast<std::uint32_t>(result.points.size());
+    result.points.push_back(p);
   }
   for (auto face = triangulation.all_faces_begin(); face != triangulation.all_faces_end(); ++face) {
     face->info().value = -1;

@@ -24,6 +24,8 @@ class JsonFissures {
       json = Json::parse(text);
     } catch (const Json::parse_error& error) {
       fail("is no JSON near byte " + std::to_string(error.byte));
+    } catch (const Json::out_of_range&) {
+      fail("holds a number that is too large");
     }
     if (!json.is_object() || json.value("schema", Json()) != Schema) {
       fail("holds no fissures: its \"schema\" should be \"" + std::string(Schema) + "\"");

@@ -7,7 +7,6 @@
 #include <Eigen/Dense>
 
 #include "core/error.h"
-#include "core/parallel.h"
 
 namespace pneuma {
 namespace {
@@ -19,18 +18,12 @@ double weightOf(std::span<const double> weights, std::size_t i) {
   return weights.empty() ? 1.0 : weights[i];
 }
 
-/// Thin-plate spline through (knot, value): weights of the knots and the plane below them.
-struct Spline {
-  std::vector<double> weights;
-  std::array<double, 3> plane{};
-};
-
-Spline splineOf(const std::vector<Vec2>& knots, const std::vector<double>& values,
-                std::span<const double> pointWeights, double smoothness) {
+/// The equations of a thin-plate spline upon a plane: weights of the knots first, then the plane.
+Eigen::MatrixXd systemOf(const std::vector<Vec2>& knots, std::span<const double> pointWeights,
+                         double smoothness) {
   const auto n = static_cast<Eigen::Index>(knots.size());
   const auto knot = [&](Eigen::Index i) { return knots[static_cast<std::size_t>(i)]; };
   Eigen::MatrixXd system = Eigen::MatrixXd::Zero(n + 3, n + 3);
-  Eigen::VectorXd right = Eigen::VectorXd::Zero(n + 3);
   for (Eigen::Index i = 0; i < n; ++i) {
     for (Eigen::Index j = 0; j < i; ++j) {
       const double r2 = (knot(i) - knot(j)).squaredNorm();
@@ -40,13 +33,31 @@ Spline splineOf(const std::vector<Vec2>& knots, const std::vector<double>& value
     system(i, n) = system(n, i) = 1.0;
     system(i, n + 1) = system(n + 1, i) = knot(i).x();
     system(i, n + 2) = system(n + 2, i) = knot(i).y();
-    right(i) = values[static_cast<std::size_t>(i)];
   }
-  const Eigen::VectorXd solved = system.colPivHouseholderQr().solve(right);
-  Spline spline;
-  spline.weights.assign(solved.data(), solved.data() + n);
-  spline.plane = {solved(n), solved(n + 1), solved(n + 2)};
-  return spline;
+  return system;
+}
+
+/// The heights of points over a surface, and three zeros: what the equations are solved for.
+Eigen::VectorXd besideOf(const HeightSurface& surface, std::span<const Vec3> points) {
+  Eigen::VectorXd beside = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(points.size()) + 3);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    beside(static_cast<Eigen::Index>(i)) = surface.height(points[i]);
+  }
+  return beside;
+}
+
+std::vector<Vec2> knotsOf(const HeightSurface& surface, std::span<const Vec3> points) {
+  std::vector<Vec2> knots;
+  for (const Vec3& p : points) knots.emplace_back(surface.planar(p) / surface.scale);
+  return knots;
+}
+
+HeightSurface flatOf(const BestPlane& plane) {
+  HeightSurface flat;
+  flat.centre = plane.centre;
+  flat.axes = plane.axes;
+  flat.scale = plane.scale;
+  return flat;
 }
 
 }  // namespace
@@ -55,6 +66,10 @@ BestPlane bestPlane(std::span<const Vec3> points, std::span<const double> weight
   if (points.size() < 3) {
     throw InvalidInput("a fissure needs three points at least; there are " +
                        std::to_string(points.size()));
+  }
+  if (points.size() > MostFissurePoints) {
+    throw InvalidInput("a fissure has " + std::to_string(points.size()) + " points; leave " +
+                       std::to_string(MostFissurePoints) + " of them, spread over it, at most");
   }
   BestPlane plane;
   double sum = 0.0;
@@ -90,12 +105,7 @@ BestPlane bestPlane(std::span<const Vec3> points, std::span<const double> weight
 HeightSurface fitFissure(std::span<const Vec3> points, const FissureFitOptions& options,
                          std::span<const double> weights) {
   requireValid(options);
-  const BestPlane plane = bestPlane(points, weights);
-  HeightSurface flat;
-  flat.centre = plane.centre;
-  flat.axes = plane.axes;
-  flat.scale = plane.scale;
-  return bentThrough(flat, points, options, weights);
+  return bentThrough(flatOf(bestPlane(points, weights)), points, options, weights);
 }
 
 HeightSurface bentThrough(const HeightSurface& prior, std::span<const Vec3> points,
@@ -103,14 +113,14 @@ HeightSurface bentThrough(const HeightSurface& prior, std::span<const Vec3> poin
   requireValid(options);
   bestPlane(points, weights);  // refuses what no surface goes through
   HeightSurface surface = prior;
-  std::vector<double> beside;
-  for (const Vec3& p : points) {
-    surface.knots.emplace_back(prior.planar(p) / prior.scale);
-    beside.push_back(prior.height(p));
-  }
-  const Spline spline = splineOf(surface.knots, beside, weights, options.smoothness);
-  for (std::size_t c = 0; c < 3; ++c) surface.quadratic[c] += spline.plane[c];
-  surface.weights = spline.weights;
+  surface.knots = knotsOf(prior, points);
+  const Eigen::VectorXd solved = systemOf(surface.knots, weights, options.smoothness)
+                                     .colPivHouseholderQr()
+                                     .solve(besideOf(prior, points));
+  const auto n = static_cast<Eigen::Index>(points.size());
+  for (Eigen::Index c = 0; c < 3; ++c)
+    surface.quadratic[static_cast<std::size_t>(c)] += solved(n + c);
+  surface.weights.assign(solved.data(), solved.data() + n);
   if (points.size() == 3) {  // exactly the plane
     surface.knots.clear();
     surface.weights.clear();
@@ -120,16 +130,20 @@ HeightSurface bentThrough(const HeightSurface& prior, std::span<const Vec3> poin
 
 std::vector<double> leaveOneOut(std::span<const Vec3> points, const FissureFitOptions& options) {
   if (points.size() < 4) return {};
+  const HeightSurface flat = flatOf(bestPlane(points));
+  const HeightSurface all = bentThrough(flat, points, options);
+  // Without solving again: what a point misses the others by is its weight over the inverse's
+  // element (Rippa 1999).
+  const Eigen::MatrixXd inverse =
+      systemOf(all.knots, {}, options.smoothness).colPivHouseholderQr().inverse();
   std::vector<double> away(points.size(), 0.0);
-  parallelFor(points.size(), [&](std::size_t i) {
-    std::vector<Vec3> others(points.begin(), points.end());
-    others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
-    try {
-      away[i] = std::abs(fitFissure(others, options).distance(points[i]));
-    } catch (const InvalidInput&) {
-      away[i] = 0.0;  // the others lie on one line
-    }
-  });
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto at = static_cast<Eigen::Index>(i);
+    const double missed = std::abs(all.weights[i] / inverse(at, at));
+    const double distance =
+        missed / std::sqrt(1.0 + all.slope(all.planar(points[i])).squaredNorm());
+    if (std::isfinite(distance)) away[i] = distance;
+  }
   return away;
 }
 

@@ -30,8 +30,12 @@ struct BestPlane {
   double scale = 1.0;  ///< root mean square distance of the points from the centre, mm
 };
 
+/// More would cost seconds and tell nothing new.
+inline constexpr std::size_t MostFissurePoints = 2000;
+
 /// @param weights of the points, positive; none: all the same
-/// @throws InvalidInput for fewer than three points, one that is no number, all on one line
+/// @throws InvalidInput for fewer than three points, more than MostFissurePoints, one that is no
+/// number, all on one line
 BestPlane bestPlane(std::span<const Vec3> points, std::span<const double> weights = {});
 
 /// A thin-plate spline over the best plane of the points: with three the plane through them, with
@@ -47,8 +51,9 @@ HeightSurface bentThrough(const HeightSurface& prior, std::span<const Vec3> poin
                           const FissureFitOptions& options = {},
                           std::span<const double> weights = {});
 
-/// How far each point lies from the surface that the others give, mm: what tells whether one was
-/// set in a wrong place. Empty for fewer than four points, 0 where the others lie on one line.
+/// How far each point lies from the surface that the others give, over the best plane of all, mm:
+/// what tells whether one was set in a wrong place. Empty for fewer than four points.
+/// @throws as bestPlane()
 std::vector<double> leaveOneOut(std::span<const Vec3> points,
                                 const FissureFitOptions& options = {});
 

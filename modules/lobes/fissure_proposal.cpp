@@ -1,6 +1,8 @@
 #include "lobes/fissure_proposal.h"
 
 #include <algorithm>
+#include <cmath>
+#include <string>
 #include <vector>
 
 #include "core/error.h"
@@ -10,6 +12,7 @@ namespace pneuma {
 namespace {
 
 constexpr double GridMm = 4.0;
+constexpr double LongestMm = 1000.0;  ///< no lung is longer
 constexpr double EndShare = 0.005;
 constexpr double ScaleMm = 60.0;  ///< about the spread of a fissure's points
 
@@ -23,8 +26,12 @@ constexpr std::array<std::array<double, 6>, 3> Coefficients = {{
 }  // namespace
 
 LungBox lungBox(const TriangleMesh& lung) {
+  const Box3 box = bounds(lung);
+  if (!(box.sizes().maxCoeff() <= LongestMm)) {
+    throw InvalidInput("the lung is " + std::to_string(std::lround(box.sizes().maxCoeff())) +
+                       " mm long; check its units");
+  }
   const SurfaceDomain domain(lung);
-  const Box3 box = domain.bounds();
   std::array<std::vector<double>, 3> along;
   for (double z = box.min().z() + GridMm / 2.0; z < box.max().z(); z += GridMm) {
     for (double y = box.min().y() + GridMm / 2.0; y < box.max().y(); y += GridMm) {

@@ -13,7 +13,7 @@ struct LungBox {
 };
 
 /// @param lung closed, oriented outwards, LPS, mm
-/// @throws InvalidInput if it encloses nothing
+/// @throws InvalidInput if it encloses nothing, or is longer than a metre
 LungBox lungBox(const TriangleMesh& lung);
 
 /// The fissure that a lung of this box has in most people: a quadratic of x (to the left), y (to

@@ -23,6 +23,8 @@ class RecipeReader {
       json = Json::parse(readFile(path_, MostBytes));
     } catch (const Json::parse_error& error) {
       fail("is no JSON near byte " + std::to_string(error.byte));
+    } catch (const Json::out_of_range&) {
+      fail("holds a number that is too large");
     }
     if (!json.is_object()) fail("is no recipe: its outermost value is no object");
     if (!json.contains("schema") || json.at("schema") != Schema) {

@@ -28,6 +28,8 @@ namespace {
 constexpr double HilumMm = 10.0;  ///< airways within this closing of a lung run inside it
 constexpr int SmoothingIterations = 20;
 constexpr double PassBand = 0.02;
+/// Of a voxel's diagonal; restoring the volume moves points a little more, and half is the limit.
+constexpr double FarthestShare = 0.45;
 constexpr int VolumeRounds = 4;
 constexpr int DecimationTries = 4;
 
@@ -75,6 +77,20 @@ void update(vtkAlgorithm& filter, const Progress& progress) {
   progress.throwIfStopped();
 }
 
+/// Takes points back that smoothing moved farther than `mostMm`: thin sheets and tips.
+void keepNear(vtkPolyData& before, vtkPolyData& after, double mostMm) {
+  for (vtkIdType p = 0; p < after.GetNumberOfPoints(); ++p) {
+    Vec3 from;
+    Vec3 to;
+    before.GetPoint(p, from.data());
+    after.GetPoint(p, to.data());
+    const double moved = (to - from).norm();
+    if (moved <= mostMm) continue;
+    const Vec3 nearer = from + mostMm / moved * (to - from);
+    after.GetPoints()->SetPoint(p, nearer.data());
+  }
+}
+
 /// The voxels' faces smoothed, in mm along the image's axes.
 vtkSmartPointer<vtkPolyData> smoothFaces(Body& body, const Vec3& spacing,
                                          const Progress& progress) {
@@ -101,7 +117,9 @@ vtkSmartPointer<vtkPolyData> smoothFaces(Body& body, const Vec3& spacing,
   smoother->BoundarySmoothingOff();
   smoother->FeatureEdgeSmoothingOff();
   update(*smoother, progress);
-  return smoother->GetOutput();
+  const vtkSmartPointer<vtkPolyData> smooth = smoother->GetOutput();
+  keepNear(*faces->GetOutput(), *smooth, FarthestShare * spacing.norm());
+  return smooth;
 }
 
 TriangleMesh meshOf(vtkPolyData& surface) {

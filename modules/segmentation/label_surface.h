@@ -25,8 +25,9 @@ struct SurfaceOptions {
 /// airways that run inside it included.
 ///
 /// Discrete flying edges, 20 iterations of a windowed sinc filter (Taubin, Zhang and Golub 1996)
-/// with pass band 0.02, then every point moved along its normal until the surface holds the volume
-/// of its voxels again: smooth, and nowhere farther than about half a voxel from where it was.
+/// with pass band 0.02, no point moved by more than 0.45 of a voxel's diagonal, then every point
+/// moved along its normal until the surface holds the volume of its voxels again: smooth, and
+/// nowhere farther than about half a voxel from where it was.
 /// @throws InvalidInput if no voxel has the label; Unsupported if no surface of
 /// so few triangles is closed
 TriangleMesh labelSurface(const LabelImage& labels, std::uint8_t label,

@@ -111,6 +111,8 @@ refuses "no recipe and no CT" 2 'needs a recipe' run -o nowhere
 refuses "a recipe that is not there" 3 'no .*absent.json' run absent.json -o nowhere
 echo '{' >broken.json
 refuses "a recipe that is no JSON" 4 'no JSON near byte' run broken.json -o nowhere
+echo '{"schema": "pneuma/recipe/1", "lungs": {"closing": 1e999}}' >large.json
+refuses "a recipe with a number that is too large" 4 'number that is too large' run large.json -o nowhere
 echo '{"schema": "pneuma/recipe/9"}' >schema.json
 refuses "a recipe of another schema" 4 'should be .*pneuma/recipe/1' run schema.json -o nowhere
 echo '{"schema": "pneuma/recipe/1", "lngs": {}}' >stage.json

@@ -122,6 +122,24 @@ TEST(FissureFit, ShowsThePointThatWasSetInAWrongPlace) {
   EXPECT_TRUE(leaveOneOut({points.data(), 3}).empty());
 }
 
+TEST(FissureFit, LeavesOneOutAsIfTheOthersWereAlone) {
+  const std::vector<Vec3> points = bentPoints(15);
+  const BestPlane plane = bestPlane(points);
+  HeightSurface flat;
+  flat.centre = plane.centre;
+  flat.axes = plane.axes;
+  flat.scale = plane.scale;
+  const HeightSurface all = fitFissure(points);
+  const std::vector<double> away = leaveOneOut(points);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    std::vector<Vec3> others = points;
+    others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
+    const double missed = std::abs(bentThrough(flat, others).height(points[i]));
+    EXPECT_NEAR(away[i], missed / std::sqrt(1.0 + all.slope(all.planar(points[i])).squaredNorm()),
+                1e-8);
+  }
+}
+
 TEST(FissureFit, RefusesWhatNoFissureGoesThrough) {
   EXPECT_NE(refusal({{0, 0, 0}, {1, 0, 0}}).find("three points"), std::string::npos);
   EXPECT_NE(refusal({{0, 0, 0}, {1, 1, 1}, {2, 2, 2}, {3, 3, 3}}).find("one line"),
@@ -129,6 +147,7 @@ TEST(FissureFit, RefusesWhatNoFissureGoesThrough) {
   EXPECT_NE(refusal({{0, 0, 0}, {1, 0, 0}, {0, std::numeric_limits<double>::quiet_NaN(), 0}})
                 .find("point 3"),
             std::string::npos);
+  EXPECT_NE(refusal(std::vector<Vec3>(2001, Vec3::Zero())).find("2001 points"), std::string::npos);
   EXPECT_NE(refusal({{5, 5, 5}, {5, 5, 5}, {5, 5, 5}}).find("one line"), std::string::npos);
 }
 

@@ -46,6 +46,11 @@ TEST(LungBox, LeavesHalfAPercentOutsideAtEachEnd) {
   }
 }
 
+TEST(LungBox, RefusesWhatIsNoLung) {
+  EXPECT_THROW(lungBox(testing::sphere(5e5)), InvalidInput);
+  EXPECT_THROW(lungBox(testing::sphere(0.1)), InvalidInput);
+}
+
 TEST(LobeSplitting, ProposalsGiveLobesInTheirPlaces) {
   const TriangleMesh lung = egg();
   for (const Side side : {Side::Right, Side::Left}) {

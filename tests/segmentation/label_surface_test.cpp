@@ -63,6 +63,51 @@ TEST(LabelSurface, OfABallIsABallAndKeepsItsVolume) {
   }
 }
 
+/// Distance from a point to the faces between voxels of the label and others, mm.
+double fromFacesMm(const LabelImage& image, std::uint8_t label, const Vec3& p) {
+  const ImageGeometry& geometry = image.geometry;
+  const Vec3 at = geometry.voxelFromWorld(p);
+  const auto is = [&](const Eigen::Vector3i& v) {
+    for (int axis = 0; axis < 3; ++axis) {
+      if (v[axis] < 0 || v[axis] >= geometry.size[static_cast<std::size_t>(axis)]) return false;
+    }
+    return image.at(v.x(), v.y(), v.z()) == label;
+  };
+  double nearest = 1e9;
+  const Eigen::Vector3i centre = at.array().round().cast<int>();
+  for (int n = 0; n < 125; ++n) {
+    const Eigen::Vector3i v = centre + Eigen::Vector3i(n % 5 - 2, n / 5 % 5 - 2, n / 25 - 2);
+    if (!is(v)) continue;
+    for (int face = 0; face < 6; ++face) {
+      const int axis = face / 2;
+      const int step = face % 2 == 0 ? -1 : 1;
+      Eigen::Vector3i beyond = v;
+      beyond[axis] += step;
+      if (is(beyond)) continue;
+      Vec3 low = v.cast<double>().array() - 0.5;
+      Vec3 high = v.cast<double>().array() + 0.5;
+      low[axis] = high[axis] = v[axis] + 0.5 * step;
+      const Vec3 away = (at - at.cwiseMax(low).cwiseMin(high)).cwiseProduct(geometry.spacing);
+      nearest = std::min(nearest, away.norm());
+    }
+  }
+  return nearest;
+}
+
+TEST(LabelSurface, StaysNearThinSheetsAndTips) {
+  LabelImage image = ball(Mat3::Identity(), {0.7, 0.7, 1.25}, 20.0);
+  for (std::uint8_t& voxel : image.voxels) voxel = voxel == 0 ? 0 : 10;
+  const auto [width, height, depth] = image.geometry.size;
+  for (int k = depth / 2; k < depth - 3; ++k) {
+    for (int i = 3; i < width - 3; ++i) image.at(i, height / 2, k) = 10;  // a sheet
+  }
+  for (int i = 2; i < width / 2; ++i) image.at(i, height / 2, depth / 2 - 4) = 10;  // a needle
+  const TriangleMesh mesh = labelSurface(image, 10);
+  double farthest = 0.0;
+  for (const Vec3& p : mesh.points) farthest = std::max(farthest, fromFacesMm(image, 10, p));
+  EXPECT_LE(farthest, 0.5 * image.geometry.spacing.norm());
+}
+
 TEST(LabelSurface, LooksOutwardsForEveryOrderOfTheAxes) {
   for (int signs = 0; signs < 8; ++signs) {
     Mat3 direction = Mat3::Zero();
