@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "core/error.h"
+#include "core/random.h"
 #include "geometry/mesh_topology.h"
 
 namespace pneuma {
@@ -94,14 +95,20 @@ double fromFacesMm(const LabelImage& image, std::uint8_t label, const Vec3& p) {
   return nearest;
 }
 
-TEST(LabelSurface, StaysNearThinSheetsAndTips) {
-  LabelImage image = ball(Mat3::Identity(), {0.7, 0.7, 1.25}, 20.0);
-  for (std::uint8_t& voxel : image.voxels) voxel = voxel == 0 ? 0 : 10;
-  const auto [width, height, depth] = image.geometry.size;
-  for (int k = depth / 2; k < depth - 3; ++k) {
-    for (int i = 3; i < width - 3; ++i) image.at(i, height / 2, k) = 10;  // a sheet
+TEST(LabelSurface, StaysWithinHalfAVoxelOfARaggedWall) {
+  LabelImage image;
+  image.geometry.size = {81, 81, 81};
+  image.geometry.spacing = Vec3::Constant(0.7);
+  image.voxels.assign(image.geometry.voxelCount(), 0);
+  Random random(3);
+  for (int k = 0; k < 81; ++k) {
+    for (int j = 0; j < 81; ++j) {
+      for (int i = 0; i < 81; ++i) {
+        const double wall = 25.0 + (random.uniform(0.0, 1.0) < 0.5 ? 3.0 : -3.0);
+        image.at(i, j, k) = Vec3(i - 40, j - 40, k - 40).norm() < wall ? 10 : 0;
+      }
+    }
   }
-  for (int i = 2; i < width / 2; ++i) image.at(i, height / 2, depth / 2 - 4) = 10;  // a needle
   const TriangleMesh mesh = labelSurface(image, 10);
   double farthest = 0.0;
   for (const Vec3& p : mesh.points) farthest = std::max(farthest, fromFacesMm(image, 10, p));
