@@ -105,17 +105,25 @@ std::optional<double> cutAndPaint(const VoxelRuns& runs, const VoxelComponents& 
   return separation.radiusMm;
 }
 
-/// Air of all spaces but the lungs, at the height of the upper two thirds of the largest.
+/// Air of all spaces but the lungs, at the height of the upper two thirds of the largest, and not
+/// beside them: the foam of a table is air too.
 double elsewhereMl(const VoxelComponents& parts, const std::vector<std::size_t>& order,
                    std::size_t second, double voxelMl) {
   const VoxelComponent& first = parts.all[order[0]];
   const double least = first.low.z() + (first.high.z() - first.low.z()) / 3.0;
+  Eigen::AlignedBox2i across(first.low.head<2>(), first.high.head<2>());
+  if (second > 0 && second < order.size()) {
+    across.extend(parts.all[order[second]].low.head<2>());
+    across.extend(parts.all[order[second]].high.head<2>());
+  }
   double sum = 0.0;
   for (std::size_t n = 1; n < order.size(); ++n) {
     const VoxelComponent& part = parts.all[order[n]];
     const double ml = static_cast<double>(part.voxels) * voxelMl;
     if (ml < CrumbMl) break;
-    if (n != second && part.centre().z() >= least) sum += ml;
+    const Vec3 centre = part.centre();
+    if (n == second || centre.z() < least) continue;
+    if (across.contains(centre.head<2>().cast<int>())) sum += ml;
   }
   return sum;
 }

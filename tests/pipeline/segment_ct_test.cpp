@@ -195,6 +195,8 @@ TEST(SegmentedSample, SaysThatAPartOfALungHangsTogetherWithNeither) {
   SampleCt sample = coarseSample();
   const LungSegmentation whole = segmentLungs(sample.image);
   EXPECT_LT(whole.airElsewhereMl, 5.0);
+  // The foam of the table is one space at such a threshold, and no part of a lung.
+  EXPECT_LT(segmentLungs(sample.image, {.thresholdHu = -750.0}).airElsewhereMl, 20.0);
   // A band of fluid cuts the right lung's apex off.
   const auto [width, height, depth] = sample.image.geometry.size;
   const int cut = 3 * depth / 4;
