@@ -32,8 +32,4 @@ std::optional<Fissure> fissureOfShortName(std::string_view text) {
 
 Side side(Fissure fissure) { return fissure == Fissure::LeftOblique ? Side::Left : Side::Right; }
 
-Lobe lungOf(Fissure fissure) {
-  return fissure == Fissure::LeftOblique ? Lobe::LeftLung : Lobe::RightLung;
-}
-
 }  // namespace pneuma

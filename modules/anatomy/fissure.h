@@ -26,7 +26,4 @@ std::optional<Fissure> fissureOfShortName(std::string_view text);
 
 Side side(Fissure fissure);
 
-/// The lung that it lies in.
-Lobe lungOf(Fissure fissure);
-
 }  // namespace pneuma

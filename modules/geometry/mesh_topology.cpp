@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 
+#include "core/disjoint_sets.h"
 #include "core/error.h"
 
 namespace pneuma {
@@ -17,32 +18,6 @@ using Triangle = std::array<Index, 3>;
 constexpr std::size_t MaxTriangles = 1'000'000'000;  // three corners each must fit an Index
 
 bool namesAPointTwice(const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
-
-class DisjointSets {
- public:
-  explicit DisjointSets(std::size_t n) : parent_(n) {
-    std::iota(parent_.begin(), parent_.end(), 0);
-  }
-
-  Index find(Index i) {
-    while (parent_[i] != i) {
-      parent_[i] = parent_[parent_[i]];
-      i = parent_[i];
-    }
-    return i;
-  }
-
-  void join(Index a, Index b) {
-    a = find(a);
-    b = find(b);
-    // The smaller index leads, so that pieces are numbered as they are stored.
-    if (a < b) parent_[b] = a;
-    if (b < a) parent_[a] = b;
-  }
-
- private:
-  std::vector<Index> parent_;
-};
 
 /// Things filed under a point: the things of point v are items[begin[v]] .. items[begin[v + 1] -
 /// 1].

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 
+#include "core/disjoint_sets.h"
 #include "core/error.h"
 #include "geometry/self_intersections.h"
 #include "lobes/fissure_cut.h"
@@ -31,16 +31,15 @@ std::string mm(double value) {
 class Pieces {
  public:
   Pieces(const RegionComplex& complex, RegionId region)
-      : complex_(complex), region_(region), parent_(complex.points.size()) {
-    std::iota(parent_.begin(), parent_.end(), 0U);
+      : complex_(complex), region_(region), sets_(complex.points.size()) {
     for (const Facet& facet : complex.facets) {
       if (!facet.borders(region)) continue;
-      join(facet.corners[0], facet.corners[1]);
-      join(facet.corners[0], facet.corners[2]);
+      sets_.join(facet.corners[0], facet.corners[1]);
+      sets_.join(facet.corners[0], facet.corners[2]);
     }
     facets_.assign(complex.points.size(), 0);
     for (const Facet& facet : complex.facets) {
-      if (facet.borders(region)) ++facets_[find(facet.corners[0])];
+      if (facet.borders(region)) ++facets_[sets_.find(facet.corners[0])];
     }
     for (std::uint32_t v = 0; v < facets_.size(); ++v) {
       if (facets_[v] == 0) continue;
@@ -55,7 +54,7 @@ class Pieces {
   template <class F>
   void forEachStray(F&& f) {
     for (const Facet& facet : complex_.facets) {
-      if (!facet.borders(region_) || find(facet.corners[0]) == largest_) continue;
+      if (!facet.borders(region_) || sets_.find(facet.corners[0]) == largest_) continue;
       for (const std::uint32_t v : facet.corners) f(v);
     }
   }
@@ -63,8 +62,8 @@ class Pieces {
   double strayMm3() {
     double six = 0.0;
     for (const Facet& facet : complex_.facets) {
-      if (!facet.borders(region_) || find(facet.corners[0]) == largest_) continue;
-      const Vec3& origin = complex_.points[find(facet.corners[0])];
+      if (!facet.borders(region_) || sets_.find(facet.corners[0]) == largest_) continue;
+      const Vec3& origin = complex_.points[sets_.find(facet.corners[0])];
       const Vec3 a = complex_.points[facet.corners[0]] - origin;
       const Vec3 b = complex_.points[facet.corners[1]] - origin;
       const Vec3 c = complex_.points[facet.corners[2]] - origin;
@@ -74,24 +73,9 @@ class Pieces {
   }
 
  private:
-  std::uint32_t find(std::uint32_t v) {
-    while (parent_[v] != v) {
-      parent_[v] = parent_[parent_[v]];
-      v = parent_[v];
-    }
-    return v;
-  }
-
-  void join(std::uint32_t a, std::uint32_t b) {
-    a = find(a);
-    b = find(b);
-    if (a < b) parent_[b] = a;
-    if (b < a) parent_[a] = b;
-  }
-
   const RegionComplex& complex_;
   RegionId region_;
-  std::vector<std::uint32_t> parent_;
+  DisjointSets sets_;
   std::vector<std::size_t> facets_;  ///< of the piece that a point stands for
   std::size_t count_ = 0;
   std::uint32_t largest_ = 0;

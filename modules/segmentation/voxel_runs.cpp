@@ -3,38 +3,13 @@
 #include <algorithm>
 #include <numeric>
 
+#include "core/disjoint_sets.h"
+
 namespace pneuma {
 namespace {
 
-/// Sets that are joined one with another; the smaller index leads.
-class UnionFind {
- public:
-  explicit UnionFind(std::size_t n) : parent_(n) {
-    std::iota(parent_.begin(), parent_.end(), std::uint32_t{0});
-  }
-
-  std::uint32_t find(std::uint32_t a) {
-    while (parent_[a] != a) {
-      parent_[a] = parent_[parent_[a]];
-      a = parent_[a];
-    }
-    return a;
-  }
-
-  void join(std::uint32_t a, std::uint32_t b) {
-    a = find(a);
-    b = find(b);
-    if (a == b) return;
-    if (b < a) std::swap(a, b);
-    parent_[b] = a;
-  }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
-
 /// Joins the runs of two rows that lie beside each other.
-void joinRows(const VoxelRuns& set, std::size_t row, std::size_t other, UnionFind& sets) {
+void joinRows(const VoxelRuns& set, std::size_t row, std::size_t other, DisjointSets& sets) {
   std::uint32_t a = set.rowStart[row];
   std::uint32_t b = set.rowStart[other];
   const std::uint32_t endA = set.rowStart[row + 1];
@@ -54,7 +29,7 @@ void joinRows(const VoxelRuns& set, std::size_t row, std::size_t other, UnionFin
 }  // namespace
 
 VoxelComponents components(const VoxelRuns& set, Connection connection) {
-  UnionFind sets(set.runs.size());
+  DisjointSets sets(set.runs.size());
   const auto rows = static_cast<std::size_t>(set.size[1]);
   for (std::size_t row = 0; row < set.rowCount(); ++row) {
     if (row % rows != 0) joinRows(set, row, row - 1, sets);
