@@ -121,7 +121,7 @@ void writeAll(const std::filesystem::path& folder, const std::vector<std::filesy
       progress.throwIfStopped();
     }
   }
-  if (!inputs.points.empty()) writeFissures(folder / PointsName, inputs.points);
+  if (!inputs.given.empty()) writeFissures(folder / PointsName, inputs.given);
   writeFile(folder / ReportName, jsonText(report));
   outputs.keep();
 }
@@ -131,11 +131,11 @@ ExitCode runLobes(const LobesArguments& arguments, const CommonOptions& common,
   LobeInputs inputs;
   inputs.shares = fractionsOf(arguments.fractions);
   requireFolderOutput(common.output);
-  if (!arguments.fissures.empty()) inputs.points = readFissures(arguments.fissures);
+  if (!arguments.fissures.empty()) inputs.given = readFissures(arguments.fissures);
   LungModel model = openLobes(arguments.lungs, progress.part(0.0, 0.3, "reading surfaces"));
   if (!arguments.fissures.empty()) model.inputs.push_back(inputFile(arguments.fissures));
   const std::vector<std::filesystem::path> paths =
-      outputsOf(common.output, model, !inputs.points.empty());
+      outputsOf(common.output, model, !inputs.given.empty());
   for (const auto& path : paths) {
     std::error_code ignored;
     if (std::filesystem::exists(path.parent_path(), ignored)) {

@@ -18,7 +18,7 @@ class JsonFissures {
  public:
   explicit JsonFissures(const std::filesystem::path& path) : path_(path) {}
 
-  FissurePointSets read(const std::string& text) const {
+  GivenFissures read(const std::string& text) const {
     Json json;
     try {
       json = Json::parse(text);
@@ -33,14 +33,15 @@ class JsonFissures {
     if (json.value("space", Json("LPS")) != "LPS") fail("is not in the frame LPS");
     const Json fissures = json.value("fissures", Json());
     if (!fissures.is_object() || fissures.empty()) fail("has no object under \"fissures\"");
-    FissurePointSets sets;
+    GivenFissures sets;
     for (const auto& [name, entry] : fissures.items()) {
       const std::optional<Fissure> fissure = fissureOfShortName(name);
       if (!fissure) {
         fail("names a fissure \"" + name +
              "\"; there are right-oblique, right-horizontal and left-oblique");
       }
-      sets[*fissure] = points(name, entry);
+      if (!entry.is_object()) fail("has no object under \"" + name + "\"");
+      sets[*fissure] = entry.contains("plane") ? plane(name, entry["plane"]) : points(name, entry);
     }
     return sets;
   }
@@ -50,22 +51,36 @@ class JsonFissures {
     throw InvalidInput(quoted(path_) + " " + what);
   }
 
-  FissurePoints points(const std::string& name, const Json& entry) const {
-    if (!entry.is_object() || !entry.contains("points") || !entry["points"].is_array()) {
+  Vec3 place(const Json& numbers, const std::string& which) const {
+    if (!numbers.is_array() || numbers.size() != 3) fail("has no three numbers as " + which);
+    Vec3 place;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (!numbers[axis].is_number()) fail("has no three numbers as " + which);
+      place[static_cast<Eigen::Index>(axis)] = numbers[axis].get<double>();
+    }
+    if (!place.allFinite()) fail("has no place as " + which);
+    return place;
+  }
+
+  GivenFissure plane(const std::string& name, const Json& entry) const {
+    if (!entry.is_object() || !entry.contains("point") || !entry.contains("normal")) {
+      fail("has no \"point\" and \"normal\" under the plane of \"" + name + "\"");
+    }
+    FissurePlane plane{place(entry["point"], "point of the plane of \"" + name + "\""),
+                       place(entry["normal"], "normal of the plane of \"" + name + "\"")};
+    if (!(plane.normal.norm() > 0.0)) fail("has a normal without length for \"" + name + "\"");
+    return {{}, {}, plane};
+  }
+
+  GivenFissure points(const std::string& name, const Json& entry) const {
+    if (!entry.contains("points") || !entry["points"].is_array()) {
       fail("has no array \"points\" under \"" + name + "\"");
     }
-    FissurePoints set;
+    GivenFissure set;
     for (const Json& point : entry["points"]) {
       const std::string which =
           "point " + std::to_string(set.points.size() + 1) + " of \"" + name + "\"";
-      if (!point.is_array() || point.size() != 3) fail("has no three numbers as " + which);
-      Vec3 place;
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        if (!point[axis].is_number()) fail("has no three numbers as " + which);
-        place[static_cast<Eigen::Index>(axis)] = point[axis].get<double>();
-      }
-      if (!place.allFinite()) fail("has no place as " + which);
-      set.points.push_back(place);
+      set.points.push_back(place(point, which));
     }
     if (!entry.contains("weights")) return set;
     if (!entry["weights"].is_array() || entry["weights"].size() != set.points.size()) {
@@ -83,11 +98,11 @@ class JsonFissures {
   const std::filesystem::path& path_;
 };
 
-FissurePointSets readCipCsv(const std::filesystem::path& path, const std::string& text) {
+GivenFissures readCipCsv(const std::filesystem::path& path, const std::string& text) {
   std::istringstream lines(text);
   std::string line;
   std::getline(lines, line);  // the columns' names, which differ from file to file
-  FissurePointSets sets;
+  GivenFissures sets;
   for (std::size_t number = 2; std::getline(lines, line); ++number) {
     std::vector<std::string> fields;
     std::istringstream row(line);
@@ -122,7 +137,7 @@ FissurePointSets readCipCsv(const std::filesystem::path& path, const std::string
 
 }  // namespace
 
-FissurePointSets readFissures(const std::filesystem::path& path) {
+GivenFissures readFissures(const std::filesystem::path& path) {
   const std::string text = readFile(path, MostBytes);
   const std::string extension = lowerCase(path.extension().string());
   if (extension == ".json") return JsonFissures(path).read(text);
@@ -132,10 +147,16 @@ FissurePointSets readFissures(const std::filesystem::path& path) {
                     "(of the Chest Imaging Platform)");
 }
 
-void writeFissures(const std::filesystem::path& path, const FissurePointSets& fissures) {
+void writeFissures(const std::filesystem::path& path, const GivenFissures& fissures) {
   Json json = {{"schema", Schema}, {"space", "LPS"}, {"units", "mm"}, {"fissures", Json::object()}};
   for (const auto& [fissure, set] : fissures) {
     Json& entry = json["fissures"][std::string(shortName(fissure))];
+    if (set.plane) {
+      const auto& [point, normal] = *set.plane;
+      entry["plane"] = {{"point", {point.x(), point.y(), point.z()}},
+                        {"normal", {normal.x(), normal.y(), normal.z()}}};
+      continue;
+    }
     entry["points"] = Json::array();
     for (const Vec3& p : set.points) entry["points"].push_back({p.x(), p.y(), p.z()});
     if (!set.weights.empty()) entry["weights"] = set.weights;

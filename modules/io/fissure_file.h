@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <vector>
 
 #include "anatomy/fissure.h"
@@ -9,21 +10,28 @@
 
 namespace pneuma {
 
-/// Points that were set upon a fissure, LPS, mm.
-struct FissurePoints {
-  std::vector<Vec3> points;
-  std::vector<double> weights;  ///< of the points; empty: all the same
+/// A fissure as a plane, LPS, mm; the normal, of any length, points up and to the front.
+struct FissurePlane {
+  Vec3 point = Vec3::Zero();
+  Vec3 normal = Vec3::UnitZ();
 };
 
-using FissurePointSets = std::map<Fissure, FissurePoints>;
+/// How a fissure is given: by a plane, or else by points that were set upon it, LPS, mm.
+struct GivenFissure {
+  std::vector<Vec3> points;
+  std::vector<double> weights;  ///< of the points; empty: all the same
+  std::optional<FissurePlane> plane;
+};
 
-/// Reads points of fissures: our JSON (schema pneuma/fissures/1) or the CSV of the Chest Imaging
+using GivenFissures = std::map<Fissure, GivenFissure>;
+
+/// Reads fissures: our JSON (schema pneuma/fissures/1) or the CSV of the Chest Imaging
 /// Platform (columns region, type, x, y, z; RIGHTLUNG or LEFTLUNG, OBLIQUEFISSURE or
 /// HORIZONTALFISSURE; other rows are left out).
 /// @throws InputMissing; InvalidInput naming file and row or entry; Unsupported for another format
-FissurePointSets readFissures(const std::filesystem::path& path);
+GivenFissures readFissures(const std::filesystem::path& path);
 
 /// Writes our JSON. @throws OutputFailed
-void writeFissures(const std::filesystem::path& path, const FissurePointSets& fissures);
+void writeFissures(const std::filesystem::path& path, const GivenFissures& fissures);
 
 }  // namespace pneuma

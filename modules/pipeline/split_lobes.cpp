@@ -2,82 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "core/error.h"
 #include "core/units.h"
 #include "geometry/mesh_topology.h"
-#include "lobes/fissure_fit.h"
-#include "lobes/fissure_proposal.h"
 #include "pipeline/figure_table.h"
 #include "pipeline/report.h"
 
 namespace pneuma {
 namespace {
 
-constexpr std::size_t PointsOfTheirOwn = 6;  ///< from which the proposal does harm
-constexpr double FarMm = 30.0;               ///< beyond a lung's box points are another's
 constexpr double MostPartitionError = 1e-12;
-constexpr double SuspectMm = 8.0;
-constexpr double SuspectTimes = 3.0;  ///< the mean of the others
-
-std::string boxText(const Box3& box) {
-  const auto axis = [&](int a) { return fixed(box.min()[a], 0) + " to " + fixed(box.max()[a], 0); };
-  return axis(0) + ", " + axis(1) + ", " + axis(2) + " mm";
-}
-
-void requireNear(const FissurePoints& set, const TriangleMesh& lung, Fissure fissure) {
-  const Box3 box = bounds(lung);
-  Box3 wide = box;
-  wide.min().array() -= FarMm;
-  wide.max().array() += FarMm;
-  Box3 ofPoints;
-  bool outside = false;
-  for (const Vec3& p : set.points) {
-    ofPoints.extend(p);
-    outside = outside || !wide.contains(p);
-  }
-  if (!outside) return;
-  throw InvalidInput("points of the " + std::string(longName(fissure)) +
-                     " lie far from the lung: they take " + boxText(ofPoints) + ", the lung " +
-                     boxText(box) + "; check that both are in LPS and mm, and of one person");
-}
-
-/// Says which points stand out, for people to look at; none is dropped.
-void warnOfSuspects(const UsedFissure& used, Fissure fissure, std::vector<std::string>& warnings) {
-  const double sum = std::accumulate(used.leftOutMm.begin(), used.leftOutMm.end(), 0.0);
-  for (std::size_t i = 0; i < used.leftOutMm.size(); ++i) {
-    const double others =
-        (sum - used.leftOutMm[i]) / static_cast<double>(used.leftOutMm.size() - 1);
-    if (used.leftOutMm[i] < SuspectMm || used.leftOutMm[i] < SuspectTimes * others) continue;
-    warnings.push_back("point " + std::to_string(i + 1) + " of the " +
-                       std::string(longName(fissure)) + " lies " + fixed(used.leftOutMm[i], 1) +
-                       " mm from where the others put it; look at it");
-  }
-}
-
-UsedFissure usedFissure(Fissure fissure, const TriangleMesh& lung, const LungBox& box,
-                        const LobeInputs& inputs, const LobeOptions& options,
-                        std::vector<std::string>& warnings) {
-  UsedFissure used;
-  used.surface = proposedFissure(fissure, box);
-  const auto given = inputs.points.find(fissure);
-  if (given == inputs.points.end()) return used;
-  const FissurePoints& set = given->second;
-  requireNear(set, lung, fissure);
-  const FissureFitOptions fit{.smoothness = options.smoothness};
-  const bool alone = set.points.size() >= PointsOfTheirOwn;
-  used.source = alone ? FissureSource::Points : FissureSource::BentProposal;
-  used.surface = alone ? fitFissure(set.points, fit, set.weights)
-                       : bentThrough(used.surface, set.points, fit, set.weights);
-  used.points = set.points.size();
-  if (alone) used.leftOutMm = leaveOneOut(set.points, fit);
-  for (const Vec3& p : set.points) {
-    used.meanMm += std::abs(used.surface.distance(p)) / static_cast<double>(used.points);
-  }
-  warnOfSuspects(used, fissure, warnings);
-  return used;
-}
 
 void requireFit(const LobeSurface& lung) {
   if (lung.health.fitToGrow()) return;
@@ -93,10 +28,9 @@ void splitOne(const LobeSurface& lung, const LobeInputs& inputs, const LobeOptio
               LobesOfLungs& result, const Progress& progress) {
   requireFit(lung);
   const Side of = side(lung.lobe);
-  const LungBox box = lungBox(*lung.mesh);
   FissureSurfaces surfaces;
-  for (const Fissure fissure : fissuresOf(of)) {
-    UsedFissure used = usedFissure(fissure, *lung.mesh, box, inputs, options, result.warnings);
+  for (auto& [fissure, used] :
+       fissureSurfaces(*lung.mesh, of, inputs.given, options, result.warnings)) {
     surfaces[fissure] = used.surface;
     result.fissures[fissure] = std::move(used);
   }
@@ -140,10 +74,10 @@ LobesOfLungs splitLobes(const LungModel& model, const LobeInputs& inputs,
     }
     const Side of = side(wanted);
     if (lung == nullptr) {
-      for (const auto& [fissure, set] : inputs.points) {
+      for (const auto& [fissure, given] : inputs.given) {
         if (side(fissure) != of) continue;
-        throw InvalidInput("there are points of the " + std::string(longName(fissure)) +
-                           ", but no " + std::string(longName(wanted)) + " to split");
+        throw InvalidInput("a " + std::string(longName(fissure)) + " is given, but no " +
+                           std::string(longName(wanted)) + " to split");
       }
       continue;
     }

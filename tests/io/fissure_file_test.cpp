@@ -36,20 +36,35 @@ class FissureFileTest : public ::testing::Test {
 };
 
 TEST_F(FissureFileTest, IsReadAsItWasWritten) {
-  FissurePointSets sets;
+  GivenFissures sets;
   sets[Fissure::RightOblique].points = {{1.5, -2.25, 3.0}, {0.1, 1e-17, -1e9}, {4.0, 5.0, 6.0}};
   sets[Fissure::LeftOblique].points = {{7.0, 8.0, 9.0}};
   sets[Fissure::LeftOblique].weights = {0.5};
   writeFissures(folder_ / "f.json", sets);
-  const FissurePointSets back = readFissures(folder_ / "f.json");
+  const GivenFissures back = readFissures(folder_ / "f.json");
   ASSERT_EQ(back.size(), 2U);
   EXPECT_EQ(back.at(Fissure::RightOblique).points, sets[Fissure::RightOblique].points);
   EXPECT_TRUE(back.at(Fissure::RightOblique).weights.empty());
   EXPECT_EQ(back.at(Fissure::LeftOblique).weights, sets[Fissure::LeftOblique].weights);
 }
 
+TEST_F(FissureFileTest, ReadsPlanes) {
+  GivenFissures given;
+  given[Fissure::RightHorizontal].plane = FissurePlane{{1.0, 2.0, 3.0}, {0.0, -0.5, 2.0}};
+  writeFissures(folder_ / "p.json", given);
+  const GivenFissures back = readFissures(folder_ / "p.json");
+  ASSERT_TRUE(back.at(Fissure::RightHorizontal).plane);
+  EXPECT_EQ(back.at(Fissure::RightHorizontal).plane->point, Vec3(1.0, 2.0, 3.0));
+  EXPECT_EQ(back.at(Fissure::RightHorizontal).plane->normal, Vec3(0.0, -0.5, 2.0));
+  EXPECT_NE(refusal("flat.json",
+                    R"({"schema":"pneuma/fissures/1","fissures":{"left-oblique":{"plane":
+                       {"point":[0,0,0],"normal":[0,0,0]}}}})")
+                .find("normal without length for \"left-oblique\""),
+            std::string::npos);
+}
+
 TEST_F(FissureFileTest, ReadsTheChestImagingPlatformsCsv) {
-  const FissurePointSets sets =
+  const GivenFissures sets =
       readFissures(file("points.csv",
                         "Region, Type, X Location, Y Location, Z Location\r\n"
                         "RIGHTLUNG,OBLIQUEFISSURE,-126.178,-249.783,-548\r\n"
