@@ -45,6 +45,7 @@ Run declareHelp(CLI::App& app, CommonOptions& common);
 Run declareImport(CLI::App& app, CommonOptions& common);
 Run declareInfo(CLI::App& app, CommonOptions& common);
 Run declareLobes(CLI::App& app, CommonOptions& common);
+Run declareCheck(CLI::App& app, CommonOptions& common);
 Run declareMeasure(CLI::App& app, CommonOptions& common);
 Run declareRender(CLI::App& app, CommonOptions& common);
 Run declareRepair(CLI::App& app, CommonOptions& common);

@@ -108,20 +108,6 @@ void addCorrections(CLI::App& app, CtCorrections& corrections) {
   });
 }
 
-InputFile ctInput(const std::filesystem::path& path, const CtFile& file, const Progress& progress) {
-  if (!file.series) return inputFile(path, progress);
-  std::string hashes;
-  const std::vector<DicomSlice>& slices = file.series->slices;
-  for (std::size_t i = 0; i < slices.size(); ++i) {
-    const auto part = [&](std::size_t n) {
-      return static_cast<double>(n) / static_cast<double>(slices.size());
-    };
-    if (slices[i].frame != 0) continue;
-    hashes += sha256OfFile(slices[i].file, progress.part(part(i), part(i + 1), "hashing"));
-  }
-  return {path.string(), sha256(hashes)};
-}
-
 Json ctJson(const CtFile& file, bool identifiers) {
   Json json = {{"kind", "ct"},
                {"format", file.format},

@@ -72,11 +72,13 @@ RegionSurface surfaceOf(const RegionComplex& complex, RegionId region) {
   return surface;
 }
 
-TriangleMesh contactOf(const RegionComplex& complex, RegionId behind, RegionId front) {
+TriangleMesh contactOf(const RegionComplex& complex, RegionId behind,
+                       std::span<const RegionId> fronts) {
+  const auto isFront = [&](RegionId region) { return std::ranges::count(fronts, region) > 0; };
   MeshPicker picker(complex);
   for (const Facet& facet : complex.facets) {
-    if (facet.behind == behind && facet.front == front) picker.add(facet.corners, false);
-    if (facet.behind == front && facet.front == behind) picker.add(facet.corners, true);
+    if (facet.behind == behind && isFront(facet.front)) picker.add(facet.corners, false);
+    if (facet.front == behind && isFront(facet.behind)) picker.add(facet.corners, true);
   }
   return std::move(picker.mesh);
 }

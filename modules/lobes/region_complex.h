@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "core/triangle_mesh.h"
@@ -40,8 +41,13 @@ struct RegionSurface {
 
 RegionSurface surfaceOf(const RegionComplex& complex, RegionId region);
 
-/// The triangles between two regions, normals from `behind` to `front`.
-TriangleMesh contactOf(const RegionComplex& complex, RegionId behind, RegionId front);
+/// The triangles between a region and some others, normals from `behind` to `fronts`.
+TriangleMesh contactOf(const RegionComplex& complex, RegionId behind,
+                       std::span<const RegionId> fronts);
+
+inline TriangleMesh contactOf(const RegionComplex& complex, RegionId behind, RegionId front) {
+  return contactOf(complex, behind, std::span<const RegionId>(&front, 1));
+}
 
 /// Volume of a region, mm^3, summed with compensation from its first point.
 double volumeMm3(const RegionComplex& complex, RegionId region);

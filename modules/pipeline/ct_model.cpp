@@ -1,13 +1,30 @@
 #include "pipeline/ct_model.h"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
 #include "core/error.h"
 #include "geometry/mesh_doctor.h"
+#include "io/atomic_file.h"
+#include "io/input_files.h"
 #include "pipeline/segment_report.h"
 
 namespace pneuma {
+
+InputFile ctInput(const std::filesystem::path& path, const CtFile& file, const Progress& progress) {
+  if (!file.series) return InputFile{path.string(), sha256OfFile(path, progress)};
+  std::string hashes;
+  const std::vector<DicomSlice>& slices = file.series->slices;
+  for (std::size_t i = 0; i < slices.size(); ++i) {
+    const auto part = [&](std::size_t n) {
+      return static_cast<double>(n) / static_cast<double>(slices.size());
+    };
+    if (slices[i].frame != 0) continue;
+    hashes += sha256OfFile(slices[i].file, progress.part(part(i), part(i + 1), "hashing"));
+  }
+  return {path.string(), sha256(hashes)};
+}
 
 LungModel modelOf(CtFile file, const std::filesystem::path& path) {
   LungModel model;
@@ -46,11 +63,13 @@ LungModel withSurfaces(const LungModel& model, const SurfaceOptions& options,
                        const Progress& progress) {
   LungModel result = model;
   auto surfaces = std::make_shared<std::vector<LobeSurface>>();
-  const std::array<std::pair<Lobe, const LungFinding*>, 2> both = {
-      {{Lobe::RightLung, &model.lungs->right}, {Lobe::LeftLung, &model.lungs->left}}};
+  const std::array<Lobe, 2> both = {Lobe::RightLung, Lobe::LeftLung};
   for (std::size_t n = 0; n < both.size(); ++n) {
-    const auto& [lobe, found] = both[n];
-    if (found->volumeMl == 0.0) continue;
+    const Lobe lobe = both[n];
+    if (!model.labels || std::ranges::find(model.labels->voxels, static_cast<std::uint8_t>(lobe)) ==
+                             model.labels->voxels.end()) {
+      continue;
+    }
     const Progress part = progress.part(0.5 * static_cast<double>(n),
                                         0.5 * static_cast<double>(n + 1), "drawing surfaces");
     LobeSurface surface;
@@ -62,6 +81,7 @@ LungModel withSurfaces(const LungModel& model, const SurfaceOptions& options,
     surface.mesh = std::make_shared<const TriangleMesh>(std::move(mesh));
     surfaces->push_back(std::move(surface));
   }
+  if (surfaces->empty()) throw InvalidInput("there are no labels of lungs to draw surfaces of");
   result.surfaces = std::move(surfaces);
   result.regions = nullptr;
   return result;

@@ -13,6 +13,11 @@ namespace pneuma {
 LungModel openCt(const std::filesystem::path& path, const CtCorrections& corrections = {},
                  const Progress& progress = {});
 
+/// What was read, for a report: a file's hash, or one over the hashes of a series' files in the
+/// order of its slices. Every byte is read once more. @throws InputMissing, Cancelled
+InputFile ctInput(const std::filesystem::path& path, const CtFile& file,
+                  const Progress& progress = {});
+
 /// The model of a CT that was read already. @param path for the record
 LungModel modelOf(CtFile file, const std::filesystem::path& path);
 
@@ -21,8 +26,8 @@ LungModel modelOf(CtFile file, const std::filesystem::path& path);
 LungModel withLungs(const LungModel& model, const LungOptions& options = {},
                     const Progress& progress = {});
 
-/// The same with the closed surfaces of its lungs, to grow in. @throws as labelSurface()
-/// @pre model.lungs is set
+/// The same with the closed surfaces of the lungs in its labels, to grow in or to split.
+/// @throws InvalidInput if there are no labels of lungs; as labelSurface()
 LungModel withSurfaces(const LungModel& model, const SurfaceOptions& options = {},
                        const Progress& progress = {});
 

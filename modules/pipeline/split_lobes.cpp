@@ -7,12 +7,25 @@
 #include "core/units.h"
 #include "geometry/mesh_topology.h"
 #include "pipeline/figure_table.h"
-#include "pipeline/report.h"
 
 namespace pneuma {
 namespace {
 
-constexpr double MostPartitionError = 1e-12;
+/// Shares of both lungs that a lobe has in most people; outside of them somebody should look.
+std::pair<double, double> usualShareOfBoth(Lobe lobe) {
+  switch (lobe) {
+    case Lobe::RightUpper:
+      return {0.15, 0.30};
+    case Lobe::RightMiddle:
+      return {0.05, 0.12};
+    case Lobe::RightLower:
+      return {0.20, 0.35};
+    case Lobe::LeftUpper:
+      return {0.18, 0.32};
+    default:
+      return {0.15, 0.35};
+  }
+}
 
 void requireFit(const LobeSurface& lung) {
   if (lung.health.fitToGrow()) return;
@@ -22,6 +35,29 @@ void requireFit(const LobeSurface& lung) {
   }
   throw InvalidInput("'" + lung.name + "' cannot be split: " + wrong +
                      "; mend it with 'pneuma repair'");
+}
+
+/// Handles of a closed surface, by Euler's formula.
+int genusOf(const TriangleMesh& mesh, const MeshTopology& health) {
+  const auto points = static_cast<std::int64_t>(mesh.points.size());
+  const auto triangles = static_cast<std::int64_t>(mesh.triangles.size());
+  return static_cast<int>(static_cast<std::int64_t>(health.components) -
+                          (points - triangles / 2) / 2);
+}
+
+void warnOfShares(LobesOfLungs& result) {
+  if (result.lungs.size() < 2) return;
+  double all = 0.0;
+  for (const auto& [side, volume] : result.lungMm3) all += volume;
+  for (const auto& [lobe, volume] : result.lobeMm3) {
+    const auto [least, most] = usualShareOfBoth(lobe);
+    const double share = volume / all;
+    if (share >= least && share <= most) continue;
+    result.warnings.push_back("the " + std::string(longName(lobe)) + " has " +
+                              fixed(100.0 * share, 1) + " % of both lungs; in most people it has " +
+                              fixed(100.0 * least, 0) + " to " + fixed(100.0 * most, 0) +
+                              " %. Look at its fissures");
+  }
 }
 
 void splitOne(const LobeSurface& lung, const LobeInputs& inputs, const LobeOptions& options,
@@ -54,9 +90,14 @@ void splitOne(const LobeSurface& lung, const LobeInputs& inputs, const LobeOptio
   for (const Lobe lobe : lobesOf(of)) {
     const auto region = static_cast<RegionId>(lobe);
     result.lobeMm3[lobe] = volumeMm3(split.complex, region);
-    const MeshTopology health = topology(surfaceOf(split.complex, region).mesh);
-    result.faults[lobe] = health.openEdges + health.nonManifoldEdges + health.misorientedEdges +
-                          health.nonManifoldVertices;
+    const TriangleMesh mesh = surfaceOf(split.complex, region).mesh;
+    const MeshTopology health = topology(mesh);
+    LobeShape& shape = result.shapes[lobe];
+    shape.faults = health.openEdges + health.nonManifoldEdges + health.misorientedEdges +
+                   health.nonManifoldVertices;
+    shape.pieces = health.components;
+    shape.genus = genusOf(mesh, health);
+    shape.areaMm2 = areaMm2(mesh);
   }
   result.lungs.push_back(std::move(split));
 }
@@ -89,6 +130,7 @@ LobesOfLungs splitLobes(const LungModel& model, const LobeInputs& inputs,
         "there is no whole lung to split; name its surface right or left, as 'pneuma segment "
         "--surfaces' does");
   }
+  warnOfShares(result);
   progress.report(1.0);
   return result;
 }
@@ -97,70 +139,6 @@ double partitionError(const LobesOfLungs& lobes, Side of) {
   double sum = 0.0;
   for (const Lobe lobe : lobesOf(of)) sum += lobes.lobeMm3.at(lobe);
   return std::abs(sum / lobes.lungMm3.at(of) - 1.0);
-}
-
-Json lobesReport(const LungModel& model, const LobesOfLungs& lobes, const LobeOptions& options) {
-  Json report = reportEnvelope("pneuma/lobes/1", model.inputs, toJson(options), 0);
-  double all = 0.0;
-  for (const auto& [of, volume] : lobes.lungMm3) all += volume;
-  for (const auto& [lobe, volume] : lobes.lobeMm3) {
-    report["lobes"].push_back({{"lobe", shortName(lobe)},
-                               {"volume_ml", millilitres(volume)},
-                               {"share_of_lung", volume / lobes.lungMm3.at(side(lobe))},
-                               {"share_of_both", volume / all}});
-  }
-  for (const auto& [fissure, used] : lobes.fissures) {
-    Json entry = {{"fissure", shortName(fissure)},
-                  {"source", textOf(used.source)},
-                  {"points", used.points},
-                  {"mean_mm", used.meanMm},
-                  {"left_out_mm", used.leftOutMm}};
-    for (const SplitLung& lung : lobes.lungs) {
-      const auto found = lung.reports.find(fissure);
-      if (found == lung.reports.end()) continue;
-      entry["contact_cm2"] = found->second.contactMm2 / 100.0;
-      entry["rounds"] = found->second.rounds;
-      entry["pieces_joined"] = found->second.piecesJoined;
-      entry["joined_ml"] = millilitres(found->second.joinedMm3);
-    }
-    report["fissures"].push_back(std::move(entry));
-  }
-  const auto check = [&](const std::string& id, double value, double limit) {
-    report["checks"].push_back(
-        {{"id", id}, {"value", value}, {"limit", limit}, {"ok", value <= limit}});
-  };
-  for (const SplitLung& lung : lobes.lungs) {
-    check("PARTITION-" + std::string(lung.side == Side::Right ? "R" : "L"),
-          partitionError(lobes, lung.side), MostPartitionError);
-  }
-  for (const auto& [lobe, faults] : lobes.faults) {
-    check("CLOSED-" + std::string(shortName(lobe)), static_cast<double>(faults), 0.0);
-  }
-  report["warnings"] = model.warnings;
-  for (const std::string& warning : lobes.warnings) report["warnings"].push_back(warning);
-  report["peak_memory_mb"] = peakMemoryMb();
-  return report;
-}
-
-std::string lobesText(const LobesOfLungs& lobes) {
-  double all = 0.0;
-  for (const auto& [of, volume] : lobes.lungMm3) all += volume;
-  std::vector<std::vector<std::string>> rows = {{"lobe", "volume", "of its lung", "of both"}};
-  for (const auto& [lobe, volume] : lobes.lobeMm3) {
-    rows.push_back({std::string(shortName(lobe)), fixed(millilitres(volume), 1) + " ml",
-                    fixed(100.0 * volume / lobes.lungMm3.at(side(lobe)), 1) + " %",
-                    fixed(100.0 * volume / all, 1) + " %"});
-  }
-  std::string text = textTable(rows);
-  rows = {{"fissure", "from", "points", "contact"}};
-  for (const SplitLung& lung : lobes.lungs) {
-    for (const auto& [fissure, report] : lung.reports) {
-      const UsedFissure& used = lobes.fissures.at(fissure);
-      rows.push_back({std::string(shortName(fissure)), textOf(used.source),
-                      std::to_string(used.points), fixed(report.contactMm2 / 100.0, 1) + " cm2"});
-    }
-  }
-  return text + textTable(rows);
 }
 
 }  // namespace pneuma

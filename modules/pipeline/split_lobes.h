@@ -9,14 +9,22 @@
 
 namespace pneuma {
 
+/// What a lobe's surface is like.
+struct LobeShape {
+  std::size_t faults = 0;  ///< open, non-manifold, misoriented edges and pinched points
+  std::size_t pieces = 0;
+  int genus = 0;  ///< handles: a fissure that goes around the hilum makes a ring
+  double areaMm2 = 0.0;
+};
+
 /// Lungs in lobes.
 struct LobesOfLungs {
   UsedFissures fissures;
   std::vector<SplitLung> lungs;  ///< right before left
   std::map<Side, double> lungMm3;
   std::map<Lobe, double> lobeMm3;
-  std::map<Lobe, std::size_t> faults;  ///< open, non-manifold, misoriented edges and pinched points
-  std::vector<std::string> warnings;   ///< whole sentences
+  std::map<Lobe, LobeShape> shapes;
+  std::vector<std::string> warnings;  ///< whole sentences
 };
 
 /// What the lobes are made with.

@@ -164,23 +164,6 @@ TriangleMesh decimated(vtkPolyData& surface, int triangles, const Progress& prog
                     " triangles was found; ask for more, or for all of them with triangles=0");
 }
 
-/// Moves every point along its normal until the mesh holds the volume.
-void restoreVolume(TriangleMesh& mesh, double volumeMm3) {
-  for (int round = 0; round < VolumeRounds; ++round) {
-    const double step = (volumeMm3 - signedVolumeMm3(mesh)) / areaMm2(mesh);
-    std::vector<Vec3> normals(mesh.points.size(), Vec3::Zero());
-    for (const auto& [a, b, c] : mesh.triangles) {
-      const Vec3 twiceArea =
-          (mesh.points[b] - mesh.points[a]).cross(mesh.points[c] - mesh.points[a]);
-      for (const std::uint32_t corner : {a, b, c}) normals[corner] += twiceArea;
-    }
-    for (std::size_t p = 0; p < mesh.points.size(); ++p) {
-      const double length = normals[p].norm();
-      if (length > 0.0) mesh.points[p] += step / length * normals[p];
-    }
-  }
-}
-
 }  // namespace
 
 TriangleMesh labelSurface(const LabelImage& labels, std::uint8_t label,
@@ -205,6 +188,22 @@ TriangleMesh labelSurface(const LabelImage& labels, std::uint8_t label,
 
 double labelVolumeMm3(const LabelImage& labels, std::uint8_t label) {
   return static_cast<double>(bodyOf(labels, label, {}).voxels) * labels.geometry.voxelMm3();
+}
+
+void restoreVolume(TriangleMesh& mesh, double volumeMm3) {
+  for (int round = 0; round < VolumeRounds; ++round) {
+    const double step = (volumeMm3 - signedVolumeMm3(mesh)) / areaMm2(mesh);
+    std::vector<Vec3> normals(mesh.points.size(), Vec3::Zero());
+    for (const auto& [a, b, c] : mesh.triangles) {
+      const Vec3 twiceArea =
+          (mesh.points[b] - mesh.points[a]).cross(mesh.points[c] - mesh.points[a]);
+      for (const std::uint32_t corner : {a, b, c}) normals[corner] += twiceArea;
+    }
+    for (std::size_t p = 0; p < mesh.points.size(); ++p) {
+      const double length = normals[p].norm();
+      if (length > 0.0) mesh.points[p] += step / length * normals[p];
+    }
+  }
 }
 
 }  // namespace pneuma

@@ -36,4 +36,7 @@ TriangleMesh labelSurface(const LabelImage& labels, std::uint8_t label,
 /// Volume of what labelSurface() draws: the voxels of the label and of the airways in it, mm^3.
 double labelVolumeMm3(const LabelImage& labels, std::uint8_t label);
 
+/// Moves every point of a closed mesh along its normal until it holds a volume, mm^3.
+void restoreVolume(TriangleMesh& mesh, double volumeMm3);
+
 }  // namespace pneuma

@@ -18,6 +18,25 @@ for lobe in rul rml rll lul lll; do
   succeeds "$lobe" info "lobes/$lobe.vtp"
   prints 'healthy'
 done
+succeeds "all checks again" check lobes --json
+keeps check
+succeeds "all checks again, for people" check lobes
+prints '^SHARED-right-oblique +0 +0 +right'
+expect "ParaView's file does not name the lobes" grep -q 'name="RML" file="rml.vtp"' lobes/lobes.vtm
+succeeds "lobes from lobes" lobes lobes --fractions usual -o joined -q
+succeeds "lobes from the CT" lobes chest/ct.nii.gz -o of_ct
+prints '^RML +[0-9.]+ ml'
+succeeds "checks of them" check of_ct -q
+succeeds "labels" segment chest/ct.nii.gz -o labels.nii.gz -q
+succeeds "lobes from labels" lobes labels.nii.gz -o of_labels -q
+expect "the label map has another size" cmp -s of_ct/labels.nii.gz of_labels/labels.nii.gz
+cp -r lobes harmed
+cp harmed/rul.vtp harmed/rml.vtp
+run check harmed
+expect "a harmed folder ends with $code, not 7" test "$code" -eq 7
+expect "the overlap is not named" grep -q '^OVERLAP-R .*WRONG' "$logs/out"
+refuses "a folder without lobes" 4 'holds no lobes' check lungs
+refuses "no folder" 3 'absent' check absent
 succeeds "a fissure" info lobes/fissures/right-oblique.vtp
 succeeds "a tree in the lobes" grow lobes --central central.vtp --method centroid --terminals 2000 -o tree.vtp
 prints 'outside their lobe: 0 ends, 0 branches'
@@ -41,7 +60,7 @@ expect "the points were not kept" test -s three/fissures.json
 expect "there are lobes of a lung that was not given" test ! -e three/rul.vtp
 
 refuses "lobes that are there" 6 'exists' lobes lungs -o lobes
-refuses "no lung" 4 'no whole lung' lobes lobes -o nowhere
+refuses "a lobe alone" 4 'RML RLL is missing' lobes lobes/rul.vtp -o nowhere
 refuses "points without their lung" 4 'no left lung' lobes lungs/right.vtp --fissures points.json -o nowhere
 sed 's/\[70/[470/' points.json >far.json
 refuses "points far away" 4 'far from the lung: they take .* the lung' lobes lungs --fissures far.json -o nowhere

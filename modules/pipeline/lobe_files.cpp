@@ -1,0 +1,73 @@
+#include "pipeline/lobe_files.h"
+
+#include <cctype>
+#include <string>
+
+#include "io/multiblock_file.h"
+#include "io/surface_file.h"
+#include "io/volume_file.h"
+#include "lobes/contact_sampling.h"
+
+namespace pneuma {
+
+std::filesystem::path lobeFile(Lobe lobe) {
+  std::string name(shortName(lobe));
+  for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return name + ".vtp";
+}
+
+std::filesystem::path patchFile(Fissure fissure) {
+  return std::filesystem::path("fissures") / (std::string(shortName(fissure)) + ".vtp");
+}
+
+std::vector<std::filesystem::path> lobeOutputs(const LungModel& model, bool points) {
+  std::vector<std::filesystem::path> files;
+  for (const LobeSurface& surface : *model.surfaces) {
+    if (surface.lobe != Lobe::RightLung && surface.lobe != Lobe::LeftLung) continue;
+    const Side of = side(surface.lobe);
+    for (const Lobe lobe : lobesOf(of)) files.push_back(lobeFile(lobe));
+    for (const Fissure fissure : fissuresOf(of)) files.push_back(patchFile(fissure));
+  }
+  for (const char* name : {LobesTogetherFile, LobeLabelsFile, LobesReportFile}) {
+    files.emplace_back(name);
+  }
+  if (points) files.emplace_back(FissurePointsFile);
+  return files;
+}
+
+void writeLobes(const std::filesystem::path& folder, const LobesOfLungs& lobes,
+                const LabelImage& labels, const GivenFissures& given, const Json& report,
+                const Progress& progress) {
+  std::vector<Block> blocks;
+  for (const SplitLung& lung : lobes.lungs) {
+    for (const Lobe lobe : lobesOf(lung.side)) {
+      writeSurface(folder / lobeFile(lobe),
+                   surfaceOf(lung.complex, static_cast<RegionId>(lobe)).mesh);
+      blocks.push_back({std::string(shortName(lobe)), lobeFile(lobe)});
+      progress.throwIfStopped();
+    }
+  }
+  for (const SplitLung& lung : lobes.lungs) {
+    for (const Fissure fissure : fissuresOf(lung.side)) {
+      writeSurface(folder / patchFile(fissure), patchOf(lung, fissure));
+      blocks.push_back({std::string(shortName(fissure)), patchFile(fissure)});
+      progress.throwIfStopped();
+    }
+  }
+  writeMultiblock(folder / LobesTogetherFile, blocks);
+  writeVolume(folder / LobeLabelsFile, labels, Existing::Replace, progress);
+  if (!given.empty()) writeFissures(folder / FissurePointsFile, given);
+  writeFile(folder / LobesReportFile, report.dump(2) + "\n");
+}
+
+TriangleMesh patchOf(const SplitLung& lung, Fissure fissure) {
+  std::vector<RegionId> above;
+  RegionId below = OutsideRegion;
+  for (const auto& [behind, front] : lobesBeside(fissure)) {
+    below = static_cast<RegionId>(behind);
+    above.push_back(static_cast<RegionId>(front));
+  }
+  return contactOf(lung.complex, below, above);
+}
+
+}  // namespace pneuma

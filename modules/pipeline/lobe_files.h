@@ -1,0 +1,38 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "anatomy/fissure.h"
+#include "anatomy/lobe.h"
+#include "pipeline/split_lobes.h"
+
+namespace pneuma {
+
+// Names of what `pneuma lobes` writes into its folder.
+inline constexpr const char* LobesReportFile = "lobes.json";
+inline constexpr const char* LobeLabelsFile = "labels.nii.gz";
+inline constexpr const char* LobesTogetherFile = "lobes.vtm";
+inline constexpr const char* FissurePointsFile = "fissures.json";
+
+/// "rul.vtp", ...
+std::filesystem::path lobeFile(Lobe lobe);
+
+/// "fissures/right-oblique.vtp", ...
+std::filesystem::path patchFile(Fissure fissure);
+
+/// The triangles of a fissure between the lobes that it parts, normals from below.
+TriangleMesh patchOf(const SplitLung& lung, Fissure fissure);
+
+/// What writeLobes() writes for a model, relative to the folder.
+/// @param points whether fissures were given
+std::vector<std::filesystem::path> lobeOutputs(const LungModel& model, bool points);
+
+/// Writes lobes, fissures, labels and the report into a folder, and the fissures that were given.
+/// @pre the folder and "fissures" in it are there
+/// @throws OutputFailed, Cancelled: what was written before stays
+void writeLobes(const std::filesystem::path& folder, const LobesOfLungs& lobes,
+                const LabelImage& labels, const GivenFissures& given, const Json& report,
+                const Progress& progress = {});
+
+}  // namespace pneuma
