@@ -4,7 +4,6 @@ set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
-set(CMAKE_VERIFY_INTERFACE_HEADER_SETS ON)
 if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
   set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type" FORCE)
 endif()
@@ -34,6 +33,30 @@ function(pneuma_precompile target)
   endif()
 endfunction()
 
+# pneuma_add_headers_alone(<name> HEADERS ... [PRECOMPILE ...])
+# Built by the target `headers_alone`: every public header in a source of its own, with nothing but what
+# the module passes on. Only Eigen and PRECOMPILE, which most of them include, are compiled once for all.
+add_custom_target(headers_alone)
+function(pneuma_add_headers_alone name)
+  cmake_parse_arguments(arg "" "" "HEADERS;PRECOMPILE" ${ARGN})
+  set(sources)
+  foreach(header IN LISTS arg_HEADERS)
+    string(MAKE_C_IDENTIFIER "${header}" source)
+    set(source "${CMAKE_CURRENT_BINARY_DIR}/headers_alone/${source}.cpp")
+    file(CONFIGURE OUTPUT "${source}" CONTENT "#include \"${name}/${header}\"\n")
+    list(APPEND sources "${source}")
+  endforeach()
+  set(target pneuma_${name}_headers_alone)
+  add_library(${target} OBJECT EXCLUDE_FROM_ALL ${sources})
+  target_link_libraries(${target} PRIVATE pneuma::${name})
+  target_compile_options(${target} PRIVATE -O0)
+  if(PNEUMA_PRECOMPILE)
+    target_precompile_headers(${target} PRIVATE <Eigen/Core> <Eigen/Geometry> <Eigen/LU>
+                                                 ${arg_PRECOMPILE})
+  endif()
+  add_dependencies(headers_alone ${target})
+endfunction()
+
 # pneuma_add_module(<name> [HEADERS ...] [SOURCES ...] [PUBLIC ...] [PRIVATE ...] [PRECOMPILE ...])
 # A static library pneuma::<name> whose headers are included as "<name>/header.h".
 # PRECOMPILE: headers of libraries that most of its sources include.
@@ -54,6 +77,8 @@ function(pneuma_add_module name)
   target_sources(${target} ${scope} FILE_SET HEADERS BASE_DIRS "${PROJECT_SOURCE_DIR}/modules"
                                                              FILES ${arg_HEADERS})
   target_link_libraries(${target} ${scope} ${arg_PUBLIC})
+  list(FILTER arg_PRECOMPILE INCLUDE REGEX "nlohmann")  # the one library that headers show
+  pneuma_add_headers_alone(${name} HEADERS ${arg_HEADERS} PRECOMPILE ${arg_PRECOMPILE})
 endfunction()
 
 # pneuma_add_test(<name> SOURCES ... LINK ... [LABELS ...] [RENDER])
