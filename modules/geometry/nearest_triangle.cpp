@@ -49,4 +49,10 @@ double NearestTriangle::distanceMm(const Vec3& p) const {
   return std::sqrt(tree_->aabb.squared_distance(point(p)));
 }
 
+NearestTriangle::Hit NearestTriangle::nearest(const Vec3& p) const {
+  const auto [at, triangle] = tree_->aabb.closest_point_and_primitive(point(p));
+  return {{at.x(), at.y(), at.z()},
+          static_cast<std::size_t>(std::distance(tree_->triangles.cbegin(), triangle))};
+}
+
 }  // namespace pneuma

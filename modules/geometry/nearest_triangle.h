@@ -18,6 +18,14 @@ class NearestTriangle {
   /// Distance from `p` to the nearest point of the surface, mm.
   double distanceMm(const Vec3& p) const;
 
+  struct Hit {
+    Vec3 point = Vec3::Zero();
+    std::size_t triangle = 0;  ///< that it lies upon
+  };
+
+  /// The nearest point of the surface.
+  Hit nearest(const Vec3& p) const;
+
  private:
   struct Tree;
   std::unique_ptr<Tree> tree_;
