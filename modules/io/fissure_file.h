@@ -25,13 +25,19 @@ struct GivenFissure {
 
 using GivenFissures = std::map<Fissure, GivenFissure>;
 
-/// Reads fissures: our JSON (schema pneuma/fissures/1) or the CSV of the Chest Imaging
-/// Platform (columns region, type, x, y, z; RIGHTLUNG or LEFTLUNG, OBLIQUEFISSURE or
-/// HORIZONTALFISSURE; other rows are left out).
+/// Reads fissures: our JSON (schema pneuma/fissures/1); markups of 3D Slicer, .mrk.json or the
+/// older .fcsv, LPS or RAS, whose points' labels or lists name the fissure (right-oblique-3, RH);
+/// or the CSV of the Chest Imaging Platform (columns region, type, x, y, z; RIGHTLUNG or LEFTLUNG,
+/// OBLIQUEFISSURE or HORIZONTALFISSURE; other rows are left out). Points without a place are left
+/// out of markups.
 /// @throws InputMissing; InvalidInput naming file and row or entry; Unsupported for another format
 GivenFissures readFissures(const std::filesystem::path& path);
 
-/// Writes our JSON. @throws OutputFailed
+/// Writes our JSON, or .mrk.json, .fcsv or .csv as readFissures() reads them, LPS.
+/// @throws OutputFailed; Unsupported for another extension, or for what a format does not have
 void writeFissures(const std::filesystem::path& path, const GivenFissures& fissures);
+
+/// Throws now what writeFissures() would for the extension. @throws Unsupported
+void requireFissureFileName(const std::filesystem::path& path);
 
 }  // namespace pneuma

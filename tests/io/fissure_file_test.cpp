@@ -78,6 +78,104 @@ TEST_F(FissureFileTest, ReadsTheChestImagingPlatformsCsv) {
   EXPECT_EQ(sets.at(Fissure::LeftOblique).points[0], Vec3(4.0, 5.0, 6.0));
 }
 
+TEST_F(FissureFileTest, IsReadAsItWasWrittenInEveryFormat) {
+  GivenFissures sets;
+  sets[Fissure::RightOblique].points = {{1.5, -2.25, 3.0}, {0.1, 1e-17, -1e9}, {4.0, 5.0, 6.0}};
+  sets[Fissure::RightHorizontal].points = {{-1.0, 2.0, 0.3}};
+  sets[Fissure::LeftOblique].points = {{7.0, 8.0, 9.0}, {1.0 / 3.0, 0.0, 0.0}};
+  for (const std::string name : {"f.mrk.json", "f.fcsv", "f.csv"}) {
+    writeFissures(folder_ / name, sets);
+    const GivenFissures back = readFissures(folder_ / name);
+    ASSERT_EQ(back.size(), 3U) << name;
+    for (const auto& [fissure, set] : sets) EXPECT_EQ(back.at(fissure).points, set.points) << name;
+  }
+  // As markups it is known by its content too.
+  std::filesystem::copy(folder_ / "f.mrk.json", folder_ / "plain.json");
+  EXPECT_EQ(readFissures(folder_ / "plain.json").size(), 3U);
+}
+
+TEST_F(FissureFileTest, WritesNothingThatAFormatDoesNotHave) {
+  GivenFissures sets;
+  sets[Fissure::LeftOblique].points = {{7.0, 8.0, 9.0}};
+  EXPECT_THROW(writeFissures(folder_ / "f.txt", sets), Unsupported);
+  sets[Fissure::LeftOblique].weights = {0.5};
+  EXPECT_THROW(writeFissures(folder_ / "f.fcsv", sets), Unsupported);
+  GivenFissures planes;
+  planes[Fissure::LeftOblique].plane = FissurePlane{};
+  EXPECT_THROW(writeFissures(folder_ / "f.mrk.json", planes), Unsupported);
+  EXPECT_TRUE(std::filesystem::is_empty(folder_));
+}
+
+TEST_F(FissureFileTest, ReadsMarkupsInTheirFrame) {
+  const GivenFissures sets = readFissures(file("m.mrk.json", R"({
+    "@schema": "https://raw.githubusercontent.com/slicer/slicer/master/Modules/Loadable/Markups/Resources/Schema/markups-schema-v1.0.0.json#",
+    "markups": [
+      {"type": "Fiducial", "coordinateSystem": "RAS", "controlPoints": [
+        {"label": "right-oblique-3", "position": [1, 2, 3]},
+        {"label": "Right Minor Fissure 12", "position": [4, 5, 6], "positionStatus": "defined"},
+        {"label": "RO2", "position": null, "positionStatus": "undefined"}]},
+      {"type": "Curve", "name": "LO", "coordinateSystem": 1, "coordinateUnits": "mm",
+       "controlPoints": [{"label": "F-1", "position": [7, 8, 9]}]},
+      {"controlPoints": []}]})"));
+  ASSERT_EQ(sets.size(), 3U);
+  EXPECT_EQ(sets.at(Fissure::RightOblique).points, std::vector<Vec3>{Vec3(-1.0, -2.0, 3.0)});
+  EXPECT_EQ(sets.at(Fissure::RightHorizontal).points, std::vector<Vec3>{Vec3(-4.0, -5.0, 6.0)});
+  EXPECT_EQ(sets.at(Fissure::LeftOblique).points, std::vector<Vec3>{Vec3(7.0, 8.0, 9.0)});
+  const GivenFissures byFile = readFissures(file(
+      "left_oblique.mrk.json", R"({"markups": [{"controlPoints": [{"position": [1, 2, 3]}]}]})"));
+  EXPECT_EQ(byFile.begin()->first, Fissure::LeftOblique);
+}
+
+TEST_F(FissureFileTest, ReadsOldMarkupsWithTheirColumns) {
+  const GivenFissures sets = readFissures(
+      file("m.fcsv",
+           "# Markups fiducial file version = 4.13\r\n# CoordinateSystem = 0\r\n"
+           "# columns = id,x,y,z,ow,ox,oy,oz,vis,sel,lock,label,desc,associatedNodeID\r\n"
+           "1,1,2,3,0,0,0,1,1,1,0,left-oblique-1,\"a, b\",,2,0\r\n"
+           "2,9,9,9,0,0,0,1,1,1,0,left-oblique-2,,,0,0\r\n\r\n"
+           "3,4,5,6,0,0,0,1,1,1,0,RH,,\r\n"));
+  ASSERT_EQ(sets.size(), 2U);
+  EXPECT_EQ(sets.at(Fissure::LeftOblique).points, std::vector<Vec3>{Vec3(-1.0, -2.0, 3.0)});
+  EXPECT_EQ(sets.at(Fissure::RightHorizontal).points, std::vector<Vec3>{Vec3(-4.0, -5.0, 6.0)});
+  const GivenFissures others =
+      readFissures(file("m.fcsv", "# CoordinateSystem = LPS\n# columns = label,x,y,z\nRO,1,2,3\n"));
+  EXPECT_EQ(others.at(Fissure::RightOblique).points, std::vector<Vec3>{Vec3(1.0, 2.0, 3.0)});
+}
+
+TEST_F(FissureFileTest, SaysWhereMarkupsAreWrong) {
+  const auto expect = [&](const std::string& name, const std::string& content,
+                          const std::string& says) {
+    const std::string found = refusal(name, content);
+    EXPECT_NE(found.find(says), std::string::npos) << content << ": " << found;
+  };
+  const auto list = [](const std::string& entry) {
+    return R"({"markups": [{"controlPoints": []}, {)" + entry + "}]}";
+  };
+  const auto point = [&](const std::string& entry) {
+    return list(R"("name": "LO", "controlPoints": [{"position": [1, 2, 3]}, {)" + entry + "}]");
+  };
+  expect("a.mrk.json", "[]", "no array \"markups\"");
+  expect("a.mrk.json", R"({"markups": [1]})", "no object as list 1");
+  expect("a.mrk.json", R"({"markups": []})", "no defined points");
+  expect("a.mrk.json", list(""), "no array \"controlPoints\" in list 2");
+  expect("a.mrk.json", list(R"("type": "Plane")"), "of type \"Plane\" as list 2");
+  expect("a.mrk.json", list(R"("coordinateUnits": "um")"), "not mm, in list 2");
+  expect("a.mrk.json", list(R"("coordinateSystem": "IJK")"), "frame \"IJK\"; there are LPS");
+  expect("a.mrk.json", point(R"("position": [1, 2])"), "position of point 2 of list 2");
+  expect("a.mrk.json", point(R"("position": [1, 2, "nan"])"), "position of point 2 of list 2");
+  expect("a.mrk.json", point(R"("position": [1, 2, NaN])"), "is no JSON near byte");
+  expect("a.mrk.json", list(R"("controlPoints": [{"label": "F-7", "position": [1, 2, 3]}])"),
+         "which fissure point 1 of list 2 lies (named \"F-7\", \"a\"); call points");
+  const std::string head = "# CoordinateSystem = LPS\n# columns = label,x,y,z\n";
+  expect("a.fcsv", "RO,1,2,3\n", "frame before line 1");
+  expect("a.fcsv", "# CoordinateSystem = 2\n", "frame \"2\"");
+  expect("a.fcsv", "# columns = id,x,y,label\n", "no column \"z\"");
+  expect("a.fcsv", head + "RO,1,2\n", "3 fields in line 3, not 4");
+  expect("a.fcsv", head + "RO,1,2,inf\n", "no number in line 3: 'inf'");
+  expect("a.fcsv", head + "middle,1,2,3\n", "fissure the point in line 3 lies (named \"middle\"");
+  expect("a.fcsv", head, "holds no points");
+}
+
 TEST_F(FissureFileTest, SaysWhereAFileIsWrong) {
   const auto json = [](const std::string& entry) {
     return R"({"schema": "pneuma/fissures/1", "fissures": {"left-oblique": )" + entry + "}}";
