@@ -40,6 +40,24 @@ prints '^left-oblique +proposal bent through points +3'
 expect "the points were not kept" test -s three/fissures.json
 expect "there are lobes of a lung that was not given" test ! -e three/rul.vtp
 
+succeeds "points upon the fissures of these lobes" fissures lobes -o sampled.mrk.json --points 12
+prints '^right-oblique +12 .* 0.00 mm +0.00 mm +shared'
+prints '^RML RUL +[0-9.]+ cm2 +0.00 mm +0.00 mm +shared'
+succeeds "the same again" fissures lobes -o sampled.fcsv --points 12 --json
+keeps fissure-contacts
+succeeds "lobes along these points" lobes lungs --fissures sampled.mrk.json -o along -q
+succeeds "... in the older format" lobes lungs --fissures sampled.fcsv -o older -q
+expect "the two formats give other lobes" cmp along/rml.vtp older/rml.vtp
+succeeds "random points that miss the fissure" fissures lobes -o drawn.json --seed 2 --noise 1mm -q
+succeeds "the same seed" fissures lobes -o again.json --seed 2 --noise 1mm -q
+expect "the same seed gives other points" cmp drawn.json again.json
+refuses "points that are there" 6 'exists' fissures lobes -o drawn.json
+refuses "points to another format" 5 'cannot be written as .*fcsv' fissures lobes -o nowhere.txt
+refuses "lobes that lack a neighbour" 4 'RUL, RML and RLL, or LUL and LLL' fissures lobes/rul.vtp lobes/rll.vtp -o nowhere.json
+fiveBalls balls
+refuses "lobes that do not touch" 4 'do not touch: .* within 5 mm' fissures balls/lul.obj balls/lll.obj -o nowhere.json
+refuses "fewer points than three" 2 'points' fissures lobes -o nowhere.json --points 2
+
 refuses "lobes that are there" 6 'exists' lobes lungs -o lobes
 refuses "no lung" 4 'no whole lung' lobes lobes -o nowhere
 refuses "points without their lung" 4 'no left lung' lobes lungs/right.vtp --fissures points.json -o nowhere
