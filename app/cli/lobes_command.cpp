@@ -22,6 +22,7 @@ constexpr const char* PatchFolder = "fissures";
 struct LobesArguments {
   std::vector<std::filesystem::path> lungs;
   std::filesystem::path fissures;
+  std::filesystem::path planes;
   std::string fractions;
   LobeOptions options;
 };
@@ -131,9 +132,12 @@ ExitCode runLobes(const LobesArguments& arguments, const CommonOptions& common,
   LobeInputs inputs;
   inputs.shares = fractionsOf(arguments.fractions);
   requireFolderOutput(common.output);
-  if (!arguments.fissures.empty()) inputs.given = readFissures(arguments.fissures);
+  const std::filesystem::path& given =
+      arguments.planes.empty() ? arguments.fissures : arguments.planes;
+  if (!arguments.fissures.empty()) inputs.given = readFissures(given);
+  if (!arguments.planes.empty()) inputs.given = readPlanes(given);
   LungModel model = openLobes(arguments.lungs, progress.part(0.0, 0.3, "reading surfaces"));
-  if (!arguments.fissures.empty()) model.inputs.push_back(inputFile(arguments.fissures));
+  if (!given.empty()) model.inputs.push_back(inputFile(given));
   const std::vector<std::filesystem::path> paths =
       outputsOf(common.output, model, !inputs.given.empty());
   for (const auto& path : paths) {
@@ -142,7 +146,7 @@ ExitCode runLobes(const LobesArguments& arguments, const CommonOptions& common,
       requireOutput(path, common.existing());
     }
     requireOtherThanInputs(path, arguments.lungs);
-    requireOtherThanInputs(path, {&arguments.fissures, 1});
+    requireOtherThanInputs(path, {&given, 1});
   }
   const LobesOfLungs lobes =
       splitLobes(model, inputs, arguments.options, progress.part(0.3, 0.9, "splitting lungs"));
@@ -167,10 +171,16 @@ Run declareLobes(CLI::App& app, CommonOptions& common) {
       "Closed surfaces of whole lungs, named right and left, or a folder of them: what 'pneuma "
       "segment --surfaces' writes.")
       ->required();
-  app.add_option("--fissures", arguments->fissures,
-                 "Points upon the fissures, .json (pneuma/fissures/1) or .csv (Chest Imaging "
-                 "Platform), LPS mm; a fissure without any is proposed by the lung's shape.")
-      ->type_name("FILE");
+  CLI::Option* fissures =
+      app.add_option("--fissures", arguments->fissures,
+                     "The fissures: points, planes or equations in .json (pneuma/fissures/1), "
+                     "points in .mrk.json or .fcsv (3D Slicer) or .csv (Chest Imaging Platform); "
+                     "one that is not there is proposed by the lung's shape.")
+          ->type_name("FILE");
+  app.add_option("--planes", arguments->planes,
+                 "The same from a .json file that has planes and nothing else.")
+      ->type_name("FILE")
+      ->excludes(fissures);
   app.add_option("--fractions", arguments->fractions,
                  "Move the fissures until the lobes have these shares of their lung in percent, "
                  "RUL,RML,RLL[/LUL,LLL], or 'usual' for 40.5,12.9,46.6/50,50.")

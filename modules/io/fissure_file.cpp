@@ -28,9 +28,11 @@ bool isMarkupsName(const std::filesystem::path& path) {
 /// Other formats than ours have points and nothing else.
 void requirePointsOnly(const std::filesystem::path& path, const GivenFissures& fissures) {
   for (const auto& [fissure, given] : fissures) {
-    if (!given.plane && given.weights.empty()) continue;
+    if (!given.plane && !given.equation && given.weights.empty()) continue;
     throw Unsupported(quoted(path) + " cannot tell of the " + std::string(longName(fissure)) +
-                      (given.plane ? "'s plane" : "'s weights") +
+                      (given.plane      ? "'s plane"
+                       : given.equation ? "'s equation"
+                                        : "'s weights") +
                       ": that format has points alone; write .json instead");
   }
 }
@@ -50,6 +52,17 @@ GivenFissures readFissures(const std::filesystem::path& path) {
   throw Unsupported(quoted(path) +
                     " cannot be read as points of fissures; give .json (pneuma/fissures/1), "
                     ".mrk.json or .fcsv (3D Slicer), or .csv (Chest Imaging Platform)");
+}
+
+GivenFissures readPlanes(const std::filesystem::path& path) {
+  GivenFissures planes = readFissures(path);
+  for (const auto& [fissure, given] : planes) {
+    if (given.plane) continue;
+    throw InvalidInput(quoted(path) + " gives no plane for the " + std::string(longName(fissure)) +
+                       " but " + (given.equation ? "an equation" : "points") +
+                       "; what is no plane is taken by --fissures");
+  }
+  return planes;
 }
 
 void writeFissures(const std::filesystem::path& path, const GivenFissures& fissures) {

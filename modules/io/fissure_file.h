@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -10,17 +11,27 @@
 
 namespace pneuma {
 
-/// A fissure as a plane, LPS, mm; the normal, of any length, points up and to the front.
+/// A fissure as a plane, LPS, mm. The normal may have any length and either direction; above is
+/// where it points up or to the front.
 struct FissurePlane {
   Vec3 point = Vec3::Zero();
   Vec3 normal = Vec3::UnitZ();
 };
 
-/// How a fissure is given: by a plane, or else by points that were set upon it, LPS, mm.
+/// A fissure as an equation (Huang 2004, 2.3), LPS, mm: with x, y, z counted from the origin,
+///   z = c0 + c1 x + c2 y + c3 x^2 + c4 x y + c5 y^2.
+struct FissureEquation {
+  Vec3 origin = Vec3::Zero();
+  std::array<double, 6> coefficients{};
+};
+
+/// How a fissure is given: by a plane or an equation, or else by points that were set upon it, LPS,
+/// mm.
 struct GivenFissure {
   std::vector<Vec3> points;
   std::vector<double> weights;  ///< of the points; empty: all the same
   std::optional<FissurePlane> plane;
+  std::optional<FissureEquation> equation;
 };
 
 using GivenFissures = std::map<Fissure, GivenFissure>;
@@ -32,6 +43,10 @@ using GivenFissures = std::map<Fissure, GivenFissure>;
 /// out of markups.
 /// @throws InputMissing; InvalidInput naming file and row or entry; Unsupported for another format
 GivenFissures readFissures(const std::filesystem::path& path);
+
+/// The same for a file that has to give every fissure by a plane.
+/// @throws as readFissures(); InvalidInput naming one that is given otherwise
+GivenFissures readPlanes(const std::filesystem::path& path);
 
 /// Writes our JSON, or .mrk.json, .fcsv or .csv as readFissures() reads them, LPS.
 /// @throws OutputFailed; Unsupported for another extension, or for what a format does not have

@@ -14,6 +14,7 @@ namespace {
 constexpr std::size_t PointsOfTheirOwn = 6;  ///< from which the proposal does harm
 constexpr double FarMm = 30.0;               ///< beyond a lung's box points are another's
 constexpr double SuspectMm = 8.0;
+constexpr double LeastUpward = 0.05;  ///< of a plane's normal along what is above
 constexpr double SuspectTimes = 3.0;  ///< the mean of the others
 
 std::string boxText(const Box3& box) {
@@ -51,15 +52,28 @@ void warnOfSuspects(const UsedFissure& used, Fissure fissure, std::vector<std::s
   }
 }
 
-HeightSurface surfaceOf(const FissurePlane& plane) {
+HeightSurface surfaceOf(const FissurePlane& plane, Fissure fissure) {
   HeightSurface surface;
   surface.centre = plane.point;
-  const Vec3 normal = plane.normal.normalized();
+  Vec3 normal = plane.normal.normalized();
+  const double upward = normal.dot(AboveFissures.normalized());
+  if (std::abs(upward) < LeastUpward) {
+    throw InvalidInput("the plane of the " + std::string(longName(fissure)) +
+                       " stands so that neither side of it is the upper and front one; turn it");
+  }
+  if (upward < 0.0) normal = -normal;
   // Any two axes across the normal do; the least of its components gives a steady choice.
   Eigen::Index least = 0;
   normal.cwiseAbs().minCoeff(&least);
   const Vec3 u = Vec3::Unit(least).cross(normal).normalized();
   surface.axes = {u, normal.cross(u), normal};
+  return surface;
+}
+
+HeightSurface surfaceOf(const FissureEquation& equation) {
+  HeightSurface surface;  // z over x and y, as the equation has it
+  surface.centre = equation.origin;
+  surface.quadratic = equation.coefficients;
   return surface;
 }
 
@@ -70,7 +84,12 @@ UsedFissure usedFissure(Fissure fissure, const TriangleMesh& lung, const LungBox
   const auto found = all.find(fissure);
   if (found != all.end() && found->second.plane) {
     used.source = FissureSource::Plane;
-    used.surface = surfaceOf(*found->second.plane);
+    used.surface = surfaceOf(*found->second.plane, fissure);
+    return used;
+  }
+  if (found != all.end() && found->second.equation) {
+    used.source = FissureSource::Equation;
+    used.surface = surfaceOf(*found->second.equation);
     return used;
   }
   used.surface = proposedFissure(fissure, box);

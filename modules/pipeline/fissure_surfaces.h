@@ -31,11 +31,11 @@ struct LobeOptions {
 };
 
 /// Where a fissure comes from.
-enum class FissureSource { Proposal, BentProposal, Points, Plane };
+enum class FissureSource { Proposal, BentProposal, Points, Plane, Equation };
 
 constexpr auto choices(FissureSource) {
-  return std::array<std::string_view, 4>{"proposal", "proposal bent through points", "points",
-                                         "plane"};
+  return std::array<std::string_view, 5>{"proposal", "proposal bent through points", "points",
+                                         "plane", "equation"};
 }
 
 /// A fissure that is cut along.
@@ -54,7 +54,8 @@ using UsedFissures = std::map<Fissure, UsedFissure>;
 /// not given is the proposal. Takes milliseconds.
 /// @param lung closed, oriented outwards, LPS, mm
 /// @param warnings gets whole sentences, for example on points that stand out
-/// @throws InvalidInput if points lie far from the lung, and as fitFissure()
+/// @throws InvalidInput if points lie far from the lung, a plane stands upright so that neither
+/// side is above, and as fitFissure()
 UsedFissures fissureSurfaces(const TriangleMesh& lung, Side side, const GivenFissures& given,
                              const LobeOptions& options, std::vector<std::string>& warnings);
 

@@ -58,6 +58,31 @@ fiveBalls balls
 refuses "lobes that do not touch" 4 'do not touch: .* within 5 mm' fissures balls/lul.obj balls/lll.obj -o nowhere.json
 refuses "fewer points than three" 2 'points' fissures lobes -o nowhere.json --points 2
 
+cat >planes.json <<'P'
+{ "schema": "pneuma/fissures/1", "fissures": {
+  "right-oblique": { "plane": { "point": [-80, 10, -70], "tilt_deg": 50 } },
+  "right-horizontal": { "plane": { "point": [-80, 0, -40], "normal": [0, 0.1, -1] } },
+  "left-oblique": { "plane": { "handles": [[70, -60, -120], [80, 60, 30], [110, 0, -50]] } } } }
+P
+succeeds "planes" lobes lungs --planes planes.json -o flat --json
+keeps lobes
+expect "not three planes" test "$(grep -c '"source": "plane"' "$logs/out")" -eq 3
+succeeds "planes among fissures" lobes lungs --fissures planes.json -o flat2 -q
+expect "the same planes give other lobes" cmp flat/rml.vtp flat2/rml.vtp
+cat >equation.json <<'P'
+{ "schema": "pneuma/fissures/1", "fissures": {
+  "left-oblique": { "equation": { "1": -60, "y": 1.15, "yy": -0.0009 } } } }
+P
+succeeds "an equation" lobes lungs/left.vtp --fissures equation.json -o equation
+prints '^left-oblique +equation'
+refuses "an equation for planes" 4 'no plane for the left oblique fissure but an equation' lobes lungs --planes equation.json -o nowhere
+refuses "points for planes" 4 'no plane for the left oblique fissure but points' lobes lungs --planes points.json -o nowhere
+refuses "planes and fissures" 2 'excludes' lobes lungs --planes planes.json --fissures points.json -o nowhere
+sed 's/"tilt_deg": 50/"tilt_deg": 0, "turn_deg": 90/' planes.json >upright.json
+refuses "a plane that stands upright" 4 'neither side' lobes lungs --planes upright.json -o nowhere
+sed 's/-80, 10, -70/-80, 10, 700/' planes.json >above.json
+refuses "a plane above the lung" 4 'right oblique fissure does not cross the lung: all of it lies between' lobes lungs --planes above.json -o nowhere
+
 refuses "lobes that are there" 6 'exists' lobes lungs -o lobes
 refuses "no lung" 4 'no whole lung' lobes lobes -o nowhere
 refuses "points without their lung" 4 'no left lung' lobes lungs/right.vtp --fissures points.json -o nowhere

@@ -1,5 +1,6 @@
 #include "io/fissure_file.h"
 
+#include <cmath>
 #include <filesystem>
 
 #include <gtest/gtest.h>
@@ -61,6 +62,46 @@ TEST_F(FissureFileTest, ReadsPlanes) {
                        {"point":[0,0,0],"normal":[0,0,0]}}}})")
                 .find("normal without length for \"left-oblique\""),
             std::string::npos);
+}
+
+TEST_F(FissureFileTest, ReadsPlanesByHandlesAndByAngles) {
+  const auto normal = [&](const std::string& plane) {
+    const GivenFissures given = readPlanes(file(
+        "p.json",
+        R"({"schema":"pneuma/fissures/1","fissures":{"left-oblique":{"plane":)" + plane + "}}}"));
+    return given.at(Fissure::LeftOblique).plane->normal;
+  };
+  EXPECT_NEAR(
+      (normal(R"({"handles": [[0,0,0],[10,0,0],[0,10,10]]})") - Vec3(0.0, -1.0, 1.0).normalized())
+          .norm(),
+      0.0, 1e-12);
+  const double half = std::sqrt(0.5);
+  const auto expect = [&](const std::string& angles, const Vec3& wanted) {
+    EXPECT_NEAR((normal(R"({"point": [1, 2, 3], )" + angles + "}") - wanted).norm(), 0.0, 1e-12)
+        << angles;
+  };
+  expect(R"("tilt_deg": 0)", Vec3::UnitZ());
+  expect(R"("tilt_deg": 45)", {0.0, -half, half});                // its back edge is raised
+  expect(R"("tilt_deg": 0, "turn_deg": 45)", {half, 0.0, half});  // its left edge sinks
+  expect(R"("tilt_deg": 90, "turn_deg": 45)", {0.0, -1.0, 0.0});  // tilted first
+}
+
+TEST_F(FissureFileTest, ReadsEquationsAsTheyWereWritten) {
+  GivenFissures given;
+  given[Fissure::RightOblique].equation =
+      FissureEquation{{1.0, 2.0, 3.0}, {-44.719, 0.125, 1.15, 1e-4, 0.0, -0.0009}};
+  writeFissures(folder_ / "e.json", given);
+  const auto back = readFissures(folder_ / "e.json").at(Fissure::RightOblique).equation;
+  ASSERT_TRUE(back);
+  EXPECT_EQ(back->origin, Vec3(1.0, 2.0, 3.0));
+  EXPECT_EQ(back->coefficients, given[Fissure::RightOblique].equation->coefficients);
+  const auto some = readFissures(file(
+      "s.json",
+      R"({"schema":"pneuma/fissures/1","fissures":{"left-oblique":{"equation":{"1":-4,"yy":2}}}})"));
+  EXPECT_EQ(some.at(Fissure::LeftOblique).equation->coefficients,
+            (std::array<double, 6>{-4.0, 0.0, 0.0, 0.0, 0.0, 2.0}));
+  EXPECT_THROW(readPlanes(folder_ / "s.json"), InvalidInput);
+  EXPECT_THROW(writeFissures(folder_ / "e.csv", given), Unsupported);
 }
 
 TEST_F(FissureFileTest, ReadsTheChestImagingPlatformsCsv) {
@@ -195,6 +236,15 @@ TEST_F(FissureFileTest, SaysWhereAFileIsWrong) {
   expect("a.json", json(R"({"points": [[1, 2, 1e999]]})"), "too large");
   expect("a.json", json(R"({"points": [[1, 2, 3]], "weights": []})"), "one weight for each point");
   expect("a.json", json(R"({"points": [[1, 2, 3]], "weights": [0]})"), "no positive number");
+  expect("a.json", json(R"({"points": [], "plane": {}})"), "in two ways");
+  expect("a.json", json(R"({"plane": {"point": [1, 2, 3]}})"), "neither \"point\" and");
+  expect("a.json", json(R"({"plane": {"handles": [[1, 2, 3], [1, 2, 3]]}})"), "no three handles");
+  expect("a.json", json(R"({"plane": {"handles": [[1, 2, 3], [2, 3, 4], [3, 4, 5]]}})"),
+         "handles of the plane of \"left-oblique\" that lie on one line");
+  expect("a.json", json(R"({"plane": {"point": [1, 2, 3], "tilt_deg": 91}})"), "-90 to 90 as tilt");
+  expect("a.json", json(R"({"equation": {"origin": [1, 2, 3]}})"), "no term of the equation");
+  expect("a.json", json(R"({"equation": {"xxx": 3}})"), "a term \"xxx\"");
+  expect("a.json", json(R"({"equation": {"x": "3"}})"), "no number as term \"x\"");
   expect("a.csv", "Region,Type,X,Y,Z\nRIGHTLUNG,OBLIQUEFISSURE,1,2\n", "4 fields in line 2");
   expect("a.csv", "Region,Type,X,Y,Z\nRIGHTLUNG,OBLIQUEFISSURE,1,2,nan\n", "no number in line 2");
   expect("a.csv", "Region,Type,X,Y,Z\n", "holds no points");

@@ -1,4 +1,9 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+
 #include "core/error.h"
+#include "core/units.h"
 #include "io/detail/fissure_formats.h"
 #include "io/detail/text_fields.h"
 
@@ -6,6 +11,16 @@ namespace pneuma {
 namespace {
 
 constexpr std::string_view Schema = "pneuma/fissures/1";
+
+/// Keys of an equation's coefficients, in their order.
+constexpr std::array<const char*, 6> Terms = {"1", "x", "y", "xx", "xy", "yy"};
+
+/// What a fissure may be given by.
+constexpr std::array<const char*, 3> Ways = {"points", "plane", "equation"};
+
+constexpr double LeastSine = 1e-3;  ///< of the angle between handles, else they lie on a line
+
+Json numbers(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
 
 class JsonFissures {
  public:
@@ -25,8 +40,7 @@ class JsonFissures {
         fail("names a fissure \"" + name +
              "\"; there are right-oblique, right-horizontal and left-oblique");
       }
-      if (!entry.is_object()) fail("has no object under \"" + name + "\"");
-      sets[*fissure] = entry.contains("plane") ? plane(name, entry["plane"]) : points(name, entry);
+      sets[*fissure] = given(name, entry);
     }
     return sets;
   }
@@ -34,6 +48,23 @@ class JsonFissures {
  private:
   [[noreturn]] void fail(const std::string& what) const {
     throw InvalidInput(quoted(path_) + " " + what);
+  }
+
+  GivenFissure given(const std::string& name, const Json& entry) const {
+    if (!entry.is_object()) fail("has no object under \"" + name + "\"");
+    const auto ways = std::ranges::count_if(Ways, [&](auto* way) { return entry.contains(way); });
+    if (ways > 1) {
+      fail("gives \"" + name + "\" in two ways; take one of points, plane and equation");
+    }
+    GivenFissure set;
+    if (entry.contains("plane")) {
+      set.plane = plane(name, entry["plane"]);
+    } else if (entry.contains("equation")) {
+      set.equation = equation(name, entry["equation"]);
+    } else {
+      readPoints(set, name, entry);
+    }
+    return set;
   }
 
   Vec3 place(const Json& numbers, const std::string& which) const {
@@ -47,27 +78,87 @@ class JsonFissures {
     return place;
   }
 
-  GivenFissure plane(const std::string& name, const Json& entry) const {
-    if (!entry.is_object() || !entry.contains("point") || !entry.contains("normal")) {
-      fail("has no \"point\" and \"normal\" under the plane of \"" + name + "\"");
+  FissurePlane plane(const std::string& name, const Json& entry) const {
+    const std::string of = " of the plane of \"" + name + "\"";
+    if (entry.is_object() && entry.contains("handles")) return throughHandles(of, entry["handles"]);
+    const bool angles = entry.is_object() && entry.contains("tilt_deg");
+    if (!entry.is_object() || !entry.contains("point") || (!angles && !entry.contains("normal"))) {
+      fail(
+          "has neither \"point\" and \"normal\", nor \"point\" and \"tilt_deg\", nor \"handles\" "
+          "under the plane of \"" +
+          name + "\"");
     }
-    FissurePlane plane{place(entry["point"], "point of the plane of \"" + name + "\""),
-                       place(entry["normal"], "normal of the plane of \"" + name + "\"")};
+    FissurePlane plane{place(entry["point"], "point" + of), Vec3::Zero()};
+    if (angles) {
+      plane.normal = rotated(rotated(Vec3::UnitZ(), Vec3::UnitX(), angle(entry, "tilt_deg", of)),
+                             Vec3::UnitY(), angle(entry, "turn_deg", of));
+    } else {
+      plane.normal = place(entry["normal"], "normal" + of);
+    }
     if (!(plane.normal.norm() > 0.0)) fail("has a normal without length for \"" + name + "\"");
-    return {{}, {}, plane};
+    return plane;
   }
 
-  GivenFissure points(const std::string& name, const Json& entry) const {
-    if (!entry.contains("points") || !entry["points"].is_array()) {
-      fail("has no array \"points\" under \"" + name + "\"");
+  FissurePlane throughHandles(const std::string& of, const Json& handles) const {
+    if (!handles.is_array() || handles.size() != 3) {
+      fail("has no three handles" + of + ": three places of three numbers are needed");
     }
-    GivenFissure set;
+    std::array<Vec3, 3> corners;
+    for (std::size_t i = 0; i < 3; ++i) {
+      corners[i] = place(handles[i], "handle " + std::to_string(i + 1) + of);
+    }
+    const Vec3 a = corners[1] - corners[0];
+    const Vec3 b = corners[2] - corners[0];
+    const double longest = std::max({a.norm(), b.norm(), (b - a).norm()});
+    const Vec3 normal = a.cross(b);
+    if (!(normal.norm() > LeastSine * longest * longest)) {
+      fail("has handles" + of + " that lie on one line; move one beside it");
+    }
+    return {(corners[0] + corners[1] + corners[2]) / 3.0, normal.normalized()};
+  }
+
+  double angle(const Json& entry, const char* key, const std::string& of) const {
+    const Json value = entry.value(key, Json(0.0));
+    if (!value.is_number() || !(std::abs(value.get<double>()) <= 90.0)) {
+      fail("has no angle from -90 to 90 as " + std::string(key) + of);
+    }
+    return radians(value.get<double>());
+  }
+
+  FissureEquation equation(const std::string& name, const Json& entry) const {
+    const std::string of = " of the equation of \"" + name + "\"";
+    if (!entry.is_object()) fail("has no object as equation of \"" + name + "\"");
+    FissureEquation equation;
+    bool any = false;
+    for (const auto& [key, value] : entry.items()) {
+      if (key == "origin") {
+        equation.origin = place(value, "origin" + of);
+        continue;
+      }
+      const auto term = std::ranges::find(Terms, key);
+      if (term == Terms.end()) {
+        fail("has a term \"" + key + "\"" + of + "; there are 1, x, y, xx, xy, yy, and origin");
+      }
+      if (!value.is_number() || !std::isfinite(value.get<double>())) {
+        fail("has no number as term \"" + key + "\"" + of);
+      }
+      equation.coefficients[static_cast<std::size_t>(term - Terms.begin())] = value.get<double>();
+      any = true;
+    }
+    if (!any) fail("has no term" + of + "; there are 1, x, y, xx, xy, yy");
+    return equation;
+  }
+
+  void readPoints(GivenFissure& set, const std::string& name, const Json& entry) const {
+    if (!entry.contains("points") || !entry["points"].is_array()) {
+      fail("has no array \"points\", nor a plane or an equation, under \"" + name + "\"");
+    }
     for (const Json& point : entry["points"]) {
       const std::string which =
           "point " + std::to_string(set.points.size() + 1) + " of \"" + name + "\"";
       set.points.push_back(place(point, which));
     }
-    if (!entry.contains("weights")) return set;
+    if (!entry.contains("weights")) return;
     if (!entry["weights"].is_array() || entry["weights"].size() != set.points.size()) {
       fail("has other than one weight for each point of \"" + name + "\"");
     }
@@ -77,11 +168,28 @@ class JsonFissures {
       }
       set.weights.push_back(weight.get<double>());
     }
-    return set;
   }
 
   const std::filesystem::path& path_;
 };
+
+Json toJson(const GivenFissure& set) {
+  if (set.plane) {
+    return {
+        {"plane", {{"point", numbers(set.plane->point)}, {"normal", numbers(set.plane->normal)}}}};
+  }
+  if (set.equation) {
+    Json equation = {{"origin", numbers(set.equation->origin)}};
+    for (std::size_t i = 0; i < Terms.size(); ++i) {
+      equation[Terms[i]] = set.equation->coefficients[i];
+    }
+    return {{"equation", std::move(equation)}};
+  }
+  Json entry = {{"points", Json::array()}};
+  for (const Vec3& p : set.points) entry["points"].push_back(numbers(p));
+  if (!set.weights.empty()) entry["weights"] = set.weights;
+  return entry;
+}
 
 }  // namespace
 
@@ -92,16 +200,7 @@ GivenFissures fissuresOfJson(const std::filesystem::path& path, const Json& json
 std::string fissureJsonText(const GivenFissures& fissures) {
   Json json = {{"schema", Schema}, {"space", "LPS"}, {"units", "mm"}, {"fissures", Json::object()}};
   for (const auto& [fissure, set] : fissures) {
-    Json& entry = json["fissures"][std::string(shortName(fissure))];
-    if (set.plane) {
-      const auto& [point, normal] = *set.plane;
-      entry["plane"] = {{"point", {point.x(), point.y(), point.z()}},
-                        {"normal", {normal.x(), normal.y(), normal.z()}}};
-      continue;
-    }
-    entry["points"] = Json::array();
-    for (const Vec3& p : set.points) entry["points"].push_back({p.x(), p.y(), p.z()});
-    if (!set.weights.empty()) entry["weights"] = set.weights;
+    json["fissures"][std::string(shortName(fissure))] = toJson(set);
   }
   return json.dump(2) + "\n";
 }

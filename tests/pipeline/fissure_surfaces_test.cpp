@@ -1,0 +1,61 @@
+#include "pipeline/fissure_surfaces.h"
+
+#include <gtest/gtest.h>
+
+#include "core/error.h"
+#include "geometry/test_surfaces.h"
+
+namespace pneuma {
+namespace {
+
+/// An egg of a lung's size.
+TriangleMesh egg() {
+  TriangleMesh mesh = testing::sphere(1.0, Vec3::Zero(), 4);
+  for (Vec3& p : mesh.points) p = p.cwiseProduct(Vec3(55.0, 80.0, 115.0));
+  return mesh;
+}
+
+UsedFissure leftOblique(const GivenFissure& given, const LobeOptions& options = {}) {
+  std::vector<std::string> warnings;
+  return fissureSurfaces(egg(), Side::Left, {{Fissure::LeftOblique, given}}, options, warnings)
+      .at(Fissure::LeftOblique);
+}
+
+std::string refusal(const GivenFissure& given, const LobeOptions& options = {}) {
+  try {
+    leftOblique(given, options);
+  } catch (const InvalidInput& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(FissureSurfaces, HaveTheUpperLobeAboveAPlaneWhicheverWayItsNormalPoints) {
+  const Vec3 point(10.0, 20.0, 30.0);
+  const Vec3 normal(0.1, -0.7, 0.9);
+  for (const double sign : {2.0, -3.0}) {
+    GivenFissure given;
+    given.plane = FissurePlane{point, sign * normal};
+    const UsedFissure used = leftOblique(given);
+    EXPECT_EQ(used.source, FissureSource::Plane);
+    EXPECT_NEAR(used.surface.height(point + 5.0 * normal.normalized()), 5.0, 1e-12);
+    EXPECT_NEAR(used.surface.height(point + Vec3(9.0, 9.0, 6.0)), 0.0, 1e-12);
+  }
+  GivenFissure upright;
+  upright.plane = FissurePlane{point, {1.0, 0.01, 0.0}};
+  EXPECT_NE(refusal(upright).find("neither side"), std::string::npos);
+}
+
+TEST(FissureSurfaces, FollowAnEquationExactly) {
+  GivenFissure given;
+  given.equation = FissureEquation{{1.0, -2.0, 4.0}, {-20.0, 0.25, 1.15, 0.001, -0.002, -0.0009}};
+  const UsedFissure used = leftOblique(given);
+  EXPECT_EQ(used.source, FissureSource::Equation);
+  for (const auto& [x, y] : {std::pair{0.0, 0.0}, {30.0, -50.0}, {-12.0, 70.0}}) {
+    const double z = -20.0 + 0.25 * x + 1.15 * y + 0.001 * x * x - 0.002 * x * y - 0.0009 * y * y;
+    EXPECT_NEAR(used.surface.height({1.0 + x, -2.0 + y, 4.0 + z + 7.0}), 7.0, 1e-9);
+  }
+}
+
+}  // namespace
+}  // namespace pneuma
