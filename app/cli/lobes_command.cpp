@@ -137,7 +137,9 @@ ExitCode runLobes(const LobesArguments& arguments, const CommonOptions& common,
   if (!arguments.fissures.empty()) inputs.given = readFissures(given);
   if (!arguments.planes.empty()) inputs.given = readPlanes(given);
   LungModel model = openLobes(arguments.lungs, progress.part(0.0, 0.3, "reading surfaces"));
-  if (!given.empty()) model.inputs.push_back(inputFile(given));
+  std::vector<std::filesystem::path> givenFiles = patchFiles(inputs.given);
+  if (!given.empty()) givenFiles.push_back(given);
+  for (const auto& file : givenFiles) model.inputs.push_back(inputFile(file));
   const std::vector<std::filesystem::path> paths =
       outputsOf(common.output, model, !inputs.given.empty());
   for (const auto& path : paths) {
@@ -146,7 +148,7 @@ ExitCode runLobes(const LobesArguments& arguments, const CommonOptions& common,
       requireOutput(path, common.existing());
     }
     requireOtherThanInputs(path, arguments.lungs);
-    requireOtherThanInputs(path, {&given, 1});
+    requireOtherThanInputs(path, givenFiles);
   }
   const LobesOfLungs lobes =
       splitLobes(model, inputs, arguments.options, progress.part(0.3, 0.9, "splitting lungs"));
@@ -172,10 +174,11 @@ Run declareLobes(CLI::App& app, CommonOptions& common) {
       "segment --surfaces' writes.")
       ->required();
   CLI::Option* fissures =
-      app.add_option("--fissures", arguments->fissures,
-                     "The fissures: points, planes or equations in .json (pneuma/fissures/1), "
-                     "points in .mrk.json or .fcsv (3D Slicer) or .csv (Chest Imaging Platform); "
-                     "one that is not there is proposed by the lung's shape.")
+      app.add_option(
+             "--fissures", arguments->fissures,
+             "The fissures: points, planes, equations or surfaces in .json (pneuma/fissures/1), "
+             "points in .mrk.json or .fcsv (3D Slicer) or .csv (Chest Imaging Platform); "
+             "one that is not there is proposed by the lung's shape.")
           ->type_name("FILE");
   app.add_option("--planes", arguments->planes,
                  "The same from a .json file that has planes and nothing else.")

@@ -28,10 +28,11 @@ bool isMarkupsName(const std::filesystem::path& path) {
 /// Other formats than ours have points and nothing else.
 void requirePointsOnly(const std::filesystem::path& path, const GivenFissures& fissures) {
   for (const auto& [fissure, given] : fissures) {
-    if (!given.plane && !given.equation && given.weights.empty()) continue;
+    if (!given.plane && !given.equation && !given.patch && given.weights.empty()) continue;
     throw Unsupported(quoted(path) + " cannot tell of the " + std::string(longName(fissure)) +
                       (given.plane      ? "'s plane"
                        : given.equation ? "'s equation"
+                       : given.patch    ? "'s surface"
                                         : "'s weights") +
                       ": that format has points alone; write .json instead");
   }
@@ -59,16 +60,27 @@ GivenFissures readPlanes(const std::filesystem::path& path) {
   for (const auto& [fissure, given] : planes) {
     if (given.plane) continue;
     throw InvalidInput(quoted(path) + " gives no plane for the " + std::string(longName(fissure)) +
-                       " but " + (given.equation ? "an equation" : "points") +
+                       " but " +
+                       (given.equation ? "an equation"
+                        : given.patch  ? "a surface"
+                                       : "points") +
                        "; what is no plane is taken by --fissures");
   }
   return planes;
 }
 
+std::vector<std::filesystem::path> patchFiles(const GivenFissures& fissures) {
+  std::vector<std::filesystem::path> files;
+  for (const auto& [fissure, given] : fissures) {
+    if (given.patch) files.push_back(given.patch->file);
+  }
+  return files;
+}
+
 void writeFissures(const std::filesystem::path& path, const GivenFissures& fissures) {
   const std::string extension = lowerCase(path.extension().string());
   if (extension == ".json" && !isMarkupsName(path)) {
-    writeFile(path, fissureJsonText(fissures));
+    writeFile(path, fissureJsonText(fissures, path.parent_path()));
     return;
   }
   requireFissureFileName(path);

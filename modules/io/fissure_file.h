@@ -3,11 +3,14 @@
 #include <array>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "anatomy/fissure.h"
 #include "core/math.h"
+#include "core/triangle_mesh.h"
 
 namespace pneuma {
 
@@ -25,13 +28,21 @@ struct FissureEquation {
   std::array<double, 6> coefficients{};
 };
 
-/// How a fissure is given: by a plane or an equation, or else by points that were set upon it, LPS,
-/// mm.
+/// A fissure as a surface from a file, LPS, mm.
+struct FissurePatch {
+  std::filesystem::path file;
+  std::shared_ptr<const TriangleMesh> mesh;
+  std::vector<std::string> notes;  ///< whole sentences, of reading it
+};
+
+/// How a fissure is given: by a plane, an equation or a surface, or else by points that were set
+/// upon it, LPS, mm.
 struct GivenFissure {
   std::vector<Vec3> points;
   std::vector<double> weights;  ///< of the points; empty: all the same
   std::optional<FissurePlane> plane;
   std::optional<FissureEquation> equation;
+  std::optional<FissurePatch> patch;
 };
 
 using GivenFissures = std::map<Fissure, GivenFissure>;
@@ -47,6 +58,9 @@ GivenFissures readFissures(const std::filesystem::path& path);
 /// The same for a file that has to give every fissure by a plane.
 /// @throws as readFissures(); InvalidInput naming one that is given otherwise
 GivenFissures readPlanes(const std::filesystem::path& path);
+
+/// The files of surfaces that fissures are given by.
+std::vector<std::filesystem::path> patchFiles(const GivenFissures& fissures);
 
 /// Writes our JSON, or .mrk.json, .fcsv or .csv as readFissures() reads them, LPS.
 /// @throws OutputFailed; Unsupported for another extension, or for what a format does not have

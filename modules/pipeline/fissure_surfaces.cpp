@@ -1,11 +1,15 @@
 #include "pipeline/fissure_surfaces.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <span>
 
 #include "core/error.h"
+#include "geometry/surface_domain.h"
 #include "lobes/fissure_fit.h"
 #include "lobes/fissure_proposal.h"
+#include "lobes/patch_surface.h"
 #include "pipeline/figure_table.h"
 
 namespace pneuma {
@@ -13,6 +17,7 @@ namespace {
 
 constexpr std::size_t PointsOfTheirOwn = 6;  ///< from which the proposal does harm
 constexpr double FarMm = 30.0;               ///< beyond a lung's box points are another's
+constexpr double RimToleranceMm = 1.0;  ///< that a surface from a file may miss the lung's wall by
 constexpr double SuspectMm = 8.0;
 constexpr double LeastUpward = 0.05;  ///< of a plane's normal along what is above
 constexpr double SuspectTimes = 3.0;  ///< the mean of the others
@@ -22,21 +27,21 @@ std::string boxText(const Box3& box) {
   return axis(0) + ", " + axis(1) + ", " + axis(2) + " mm";
 }
 
-void requireNear(const GivenFissure& set, const TriangleMesh& lung, Fissure fissure) {
+void requireNear(std::span<const Vec3> points, const TriangleMesh& lung, const std::string& what) {
   const Box3 box = bounds(lung);
   Box3 wide = box;
   wide.min().array() -= FarMm;
   wide.max().array() += FarMm;
   Box3 ofPoints;
   bool outside = false;
-  for (const Vec3& p : set.points) {
+  for (const Vec3& p : points) {
     ofPoints.extend(p);
     outside = outside || !wide.contains(p);
   }
   if (!outside) return;
-  throw InvalidInput("points of the " + std::string(longName(fissure)) +
-                     " lie far from the lung: they take " + boxText(ofPoints) + ", the lung " +
-                     boxText(box) + "; check that both are in LPS and mm, and of one person");
+  throw InvalidInput("points of the " + what + " lie far from the lung: they take " +
+                     boxText(ofPoints) + ", the lung " + boxText(box) +
+                     "; check that both are in LPS and mm, and of one person");
 }
 
 /// Says which points stand out, for people to look at; none is dropped.
@@ -77,9 +82,34 @@ HeightSurface surfaceOf(const FissureEquation& equation) {
   return surface;
 }
 
+/// @param floor the fissure that ends this one below, or null
+UsedFissure usedPatch(Fissure fissure, const TriangleMesh& lung, const FissurePatch& patch,
+                      const HeightSurface* floor, double extendMm,
+                      std::vector<std::string>& warnings) {
+  warnings.insert(warnings.end(), patch.notes.begin(), patch.notes.end());
+  const std::string what = "surface of the " + std::string(longName(fissure));
+  requireNear(patch.mesh->points, lung, what);
+  const PatchFit fit = fitPatch(*patch.mesh, what);
+  const RimPlace rim = deepestRim(*patch.mesh, SurfaceDomain(lung), floor);
+  if (rim.depthMm > RimToleranceMm + extendMm) {
+    throw InvalidInput(
+        "the " + what + " ends inside the lung: at (" + fixed(rim.place.x(), 1) + ", " +
+        fixed(rim.place.y(), 1) + ", " + fixed(rim.place.z(), 1) + ") mm its edge lies " +
+        fixed(rim.depthMm, 1) +
+        " mm from the wall; extend it, or allow that far by 'extend', 15 mm at most");
+  }
+  UsedFissure used;
+  used.source = FissureSource::Surface;
+  used.surface = fit.surface;
+  used.points = fit.knots;
+  used.meanMm = fit.meanMm;
+  used.largestMm = fit.largestMm;
+  return used;
+}
+
 UsedFissure usedFissure(Fissure fissure, const TriangleMesh& lung, const LungBox& box,
-                        const GivenFissures& all, const LobeOptions& options,
-                        std::vector<std::string>& warnings) {
+                        const GivenFissures& all, const HeightSurface* floor,
+                        const LobeOptions& options, std::vector<std::string>& warnings) {
   UsedFissure used;
   const auto found = all.find(fissure);
   if (found != all.end() && found->second.plane) {
@@ -92,10 +122,13 @@ UsedFissure usedFissure(Fissure fissure, const TriangleMesh& lung, const LungBox
     used.surface = surfaceOf(*found->second.equation);
     return used;
   }
+  if (found != all.end() && found->second.patch) {
+    return usedPatch(fissure, lung, *found->second.patch, floor, options.extendMm, warnings);
+  }
   used.surface = proposedFissure(fissure, box);
   if (found == all.end()) return used;
   const GivenFissure& given = found->second;
-  requireNear(given, lung, fissure);
+  requireNear(given.points, lung, std::string(longName(fissure)));
   const FissureFitOptions fit{.smoothness = options.smoothness};
   const bool alone = given.points.size() >= PointsOfTheirOwn;
   used.source = alone ? FissureSource::Points : FissureSource::BentProposal;
@@ -104,7 +137,9 @@ UsedFissure usedFissure(Fissure fissure, const TriangleMesh& lung, const LungBox
   used.points = given.points.size();
   if (alone) used.leftOutMm = leaveOneOut(given.points, fit);
   for (const Vec3& p : given.points) {
-    used.meanMm += std::abs(used.surface.distance(p)) / static_cast<double>(used.points);
+    const double away = std::abs(used.surface.distance(p));
+    used.meanMm += away / static_cast<double>(used.points);
+    used.largestMm = std::max(used.largestMm, away);
   }
   warnOfSuspects(used, fissure, warnings);
   return used;
@@ -117,7 +152,9 @@ UsedFissures fissureSurfaces(const TriangleMesh& lung, Side side, const GivenFis
   const LungBox box = lungBox(lung);
   UsedFissures used;
   for (const Fissure fissure : fissuresOf(side)) {
-    used[fissure] = usedFissure(fissure, lung, box, given, options, warnings);
+    // The horizontal fissure ends at the oblique one, which comes first.
+    const HeightSurface* floor = used.empty() ? nullptr : &used.begin()->second.surface;
+    used[fissure] = usedFissure(fissure, lung, box, given, floor, options, warnings);
   }
   return used;
 }

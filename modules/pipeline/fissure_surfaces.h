@@ -17,6 +17,7 @@ namespace pneuma {
 struct LobeOptions {
   double smoothness = 0.01;
   double capSpacingMm = 2.5;
+  double extendMm = 0.0;
 
   static constexpr auto fields() {
     return std::tuple{
@@ -24,6 +25,9 @@ struct LobeOptions {
               "How far a fissure may leave its points to bend less; 0 goes through all of them."},
         Field{"spacing", &LobeOptions::capSpacingMm, "mm", Range{0.5, 20.0},
               "Size of the triangles between lobes."},
+        Field{"extend", &LobeOptions::extendMm, "mm", Range{0.0, 15.0},
+              "How far a fissure's surface from a file may end before the lung's wall; it goes on "
+              "smoothly."},
     };
   }
 
@@ -31,11 +35,11 @@ struct LobeOptions {
 };
 
 /// Where a fissure comes from.
-enum class FissureSource { Proposal, BentProposal, Points, Plane, Equation };
+enum class FissureSource { Proposal, BentProposal, Points, Plane, Equation, Surface };
 
 constexpr auto choices(FissureSource) {
-  return std::array<std::string_view, 5>{"proposal", "proposal bent through points", "points",
-                                         "plane", "equation"};
+  return std::array<std::string_view, 6>{
+      "proposal", "proposal bent through points", "points", "plane", "equation", "surface"};
 }
 
 /// A fissure that is cut along.
@@ -45,6 +49,7 @@ struct UsedFissure {
   std::size_t points = 0;
   std::vector<double> leftOutMm;  ///< of each point, see leaveOneOut()
   double meanMm = 0.0;            ///< mean distance of the points from the surface
+  double largestMm = 0.0;         ///< largest; of a surface from a file, of its points
 };
 
 using UsedFissures = std::map<Fissure, UsedFissure>;
@@ -55,7 +60,7 @@ using UsedFissures = std::map<Fissure, UsedFissure>;
 /// @param lung closed, oriented outwards, LPS, mm
 /// @param warnings gets whole sentences, for example on points that stand out
 /// @throws InvalidInput if points lie far from the lung, a plane stands upright so that neither
-/// side is above, and as fitFissure()
+/// side is above, a surface from a file ends inside the lung, and as fitFissure() and fitPatch()
 UsedFissures fissureSurfaces(const TriangleMesh& lung, Side side, const GivenFissures& given,
                              const LobeOptions& options, std::vector<std::string>& warnings);
 

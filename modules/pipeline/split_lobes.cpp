@@ -110,11 +110,9 @@ Json lobesReport(const LungModel& model, const LobesOfLungs& lobes, const LobeOp
                                {"share_of_both", volume / all}});
   }
   for (const auto& [fissure, used] : lobes.fissures) {
-    Json entry = {{"fissure", shortName(fissure)},
-                  {"source", textOf(used.source)},
-                  {"points", used.points},
-                  {"mean_mm", used.meanMm},
-                  {"left_out_mm", used.leftOutMm}};
+    Json entry = {{"fissure", shortName(fissure)}, {"source", textOf(used.source)},
+                  {"points", used.points},         {"mean_mm", used.meanMm},
+                  {"largest_mm", used.largestMm},  {"left_out_mm", used.leftOutMm}};
     for (const SplitLung& lung : lobes.lungs) {
       const auto found = lung.reports.find(fissure);
       if (found == lung.reports.end()) continue;

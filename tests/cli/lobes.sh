@@ -83,6 +83,33 @@ refuses "a plane that stands upright" 4 'neither side' lobes lungs --planes upri
 sed 's/-80, 10, -70/-80, 10, 700/' planes.json >above.json
 refuses "a plane above the lung" 4 'right oblique fissure does not cross the lung: all of it lies between' lobes lungs --planes above.json -o nowhere
 
+cat >surfaces.json <<'P'
+{ "schema": "pneuma/fissures/1", "fissures": {
+  "right-oblique": { "surface": "lobes/fissures/right-oblique.vtp" },
+  "right-horizontal": { "surface": "lobes/fissures/right-horizontal.vtp" } } }
+P
+succeeds "surfaces from files" lobes lungs --fissures surfaces.json -o surfaces --json
+keeps lobes
+expect "not two surfaces" test "$(grep -c '"source": "surface"' "$logs/out")" -eq 2
+cp "$logs/out" surfaces.report
+for lobe in RUL RML RLL; do
+  expect "share of $lobe: $(share "$lobe" surfaces.report)" awk -v s="$(share "$lobe" surfaces.report)" -v w="$(share "$lobe" lobes/lobes.json)" 'BEGIN { exit !((s - w) ^ 2 < 1e-6) }'
+done
+succeeds "fissures that are kept name the same surfaces" lobes lungs --fissures surfaces/fissures.json -o surfaces2 -q
+expect "they give other lobes" cmp surfaces/rml.vtp surfaces2/rml.vtp
+refuses "surfaces onto themselves" 2 'input' lobes lungs --fissures surfaces.json -o lobes -f
+cat >disk.json <<'P'
+{ "schema": "pneuma/fissures/1", "fissures": { "left-oblique": { "surface": "disk.obj" } } }
+P
+awk 'BEGIN { print "v 90 0 -50"; for (i = 0; i < 24; i++) print "v", 90 + 20 * cos(i * 0.261799), 20 * sin(i * 0.261799), -50
+  for (i = 0; i < 24; i++) print "f", 1, i + 2, (i + 1) % 24 + 2 }' >disk.obj
+refuses "a surface that ends inside" 4 'left oblique fissure ends inside the lung: at \(.*\) mm its edge lies [0-9.]+ mm' lobes lungs --fissures disk.json -o nowhere
+refuses "more extension than there is" 2 'extend' lobes lungs --fissures disk.json --extend 20 -o nowhere
+ball 40 90 0 -50 >disk.obj
+refuses "a closed surface" 4 'is closed; a fissure' lobes lungs --fissures disk.json -o nowhere
+rm disk.obj
+refuses "a surface that is not there" 3 'disk.obj' lobes lungs --fissures disk.json -o nowhere
+
 refuses "lobes that are there" 6 'exists' lobes lungs -o lobes
 refuses "no lung" 4 'no whole lung' lobes lobes -o nowhere
 refuses "points without their lung" 4 'no left lung' lobes lungs/right.vtp --fissures points.json -o nowhere

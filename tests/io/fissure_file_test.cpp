@@ -7,6 +7,7 @@
 
 #include "core/error.h"
 #include "io/atomic_file.h"
+#include "io/surface_file.h"
 
 namespace pneuma {
 namespace {
@@ -102,6 +103,25 @@ TEST_F(FissureFileTest, ReadsEquationsAsTheyWereWritten) {
             (std::array<double, 6>{-4.0, 0.0, 0.0, 0.0, 0.0, 2.0}));
   EXPECT_THROW(readPlanes(folder_ / "s.json"), InvalidInput);
   EXPECT_THROW(writeFissures(folder_ / "e.csv", given), Unsupported);
+}
+
+TEST_F(FissureFileTest, ReadsSurfacesFromFilesBesideIt) {
+  const TriangleMesh mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0.5}}, {{0, 1, 2}}};
+  std::filesystem::create_directories(folder_ / "patches");
+  writeSurface(folder_ / "patches" / "lo.vtp", mesh);
+  const std::string text =
+      R"({"schema":"pneuma/fissures/1","fissures":{"left-oblique":{"surface":"patches/lo.vtp"}}})";
+  const GivenFissures given = readFissures(file("s.json", text));
+  ASSERT_TRUE(given.at(Fissure::LeftOblique).patch);
+  EXPECT_EQ(given.at(Fissure::LeftOblique).patch->mesh->points, mesh.points);
+  EXPECT_EQ(patchFiles(given).size(), 1U);
+  // Written into another folder it names the same file.
+  std::filesystem::create_directories(folder_ / "out");
+  writeFissures(folder_ / "out" / "s.json", given);
+  EXPECT_EQ(readFissures(folder_ / "out" / "s.json").at(Fissure::LeftOblique).patch->mesh->points,
+            mesh.points);
+  EXPECT_THROW(writeFissures(folder_ / "s.mrk.json", given), Unsupported);
+  EXPECT_THROW(readFissures(file("out/t.json", text)), InputMissing);
 }
 
 TEST_F(FissureFileTest, ReadsTheChestImagingPlatformsCsv) {
@@ -243,6 +263,7 @@ TEST_F(FissureFileTest, SaysWhereAFileIsWrong) {
          "handles of the plane of \"left-oblique\" that lie on one line");
   expect("a.json", json(R"({"plane": {"point": [1, 2, 3], "tilt_deg": 91}})"), "-90 to 90 as tilt");
   expect("a.json", json(R"({"equation": {"origin": [1, 2, 3]}})"), "no term of the equation");
+  expect("a.json", json(R"({"surface": 3})"), "no file's name as surface");
   expect("a.json", json(R"({"equation": {"xxx": 3}})"), "a term \"xxx\"");
   expect("a.json", json(R"({"equation": {"x": "3"}})"), "no number as term \"x\"");
   expect("a.csv", "Region,Type,X,Y,Z\nRIGHTLUNG,OBLIQUEFISSURE,1,2\n", "4 fields in line 2");

@@ -1,5 +1,8 @@
 #include "pipeline/fissure_surfaces.h"
 
+#include <cmath>
+#include <numbers>
+
 #include <gtest/gtest.h>
 
 #include "core/error.h"
@@ -55,6 +58,50 @@ TEST(FissureSurfaces, FollowAnEquationExactly) {
     const double z = -20.0 + 0.25 * x + 1.15 * y + 0.001 * x * x - 0.002 * x * y - 0.0009 * y * y;
     EXPECT_NEAR(used.surface.height({1.0 + x, -2.0 + y, 4.0 + z + 7.0}), 7.0, 1e-9);
   }
+}
+
+/// z = 20 over the lung, as far as `reach` mm from the axis.
+GivenFissure disk(double reach) {
+  TriangleMesh mesh;
+  mesh.points.emplace_back(0.0, 0.0, 20.0);
+  constexpr std::uint32_t Spokes = 40;
+  for (std::uint32_t ring = 1; ring <= 5; ++ring) {
+    for (std::uint32_t i = 0; i < Spokes; ++i) {
+      const double angle = 2.0 * std::numbers::pi * i / Spokes;
+      mesh.points.emplace_back(reach * ring / 5.0 * std::cos(angle),
+                               1.5 * reach * ring / 5.0 * std::sin(angle), 20.0);
+    }
+  }
+  const auto at = [](std::uint32_t ring, std::uint32_t i) {
+    return ring == 0 ? 0U : 1 + (ring - 1) * Spokes + i % Spokes;
+  };
+  for (std::uint32_t ring = 0; ring < 5; ++ring) {
+    for (std::uint32_t i = 0; i < Spokes; ++i) {
+      mesh.triangles.push_back({at(ring, i), at(ring + 1, i), at(ring + 1, i + 1)});
+      if (ring > 0) mesh.triangles.push_back({at(ring, i), at(ring + 1, i + 1), at(ring, i + 1)});
+    }
+  }
+  GivenFissure given;
+  given.patch = FissurePatch{"disk.vtp", std::make_shared<const TriangleMesh>(mesh), {}};
+  return given;
+}
+
+TEST(FissureSurfaces, FollowASurfaceThatReachesTheWall) {
+  const UsedFissure used = leftOblique(disk(60.0));
+  EXPECT_EQ(used.source, FissureSource::Surface);
+  EXPECT_NEAR(used.surface.height({10.0, 20.0, 33.0}), 13.0, 1e-3);
+  EXPECT_LT(used.largestMm, 0.2);
+  EXPECT_GT(used.points, 10U);
+}
+
+TEST(FissureSurfaces, GoOnAsFarAsAllowedWhereASurfaceEndsInside) {
+  // At z = 20 the egg is 54.2 mm wide on each side: 6.2 mm more than the disk.
+  const std::string found = refusal(disk(48.0));
+  EXPECT_NE(found.find("surface of the left oblique fissure ends inside the lung: at ("),
+            std::string::npos)
+      << found;
+  EXPECT_FALSE(refusal(disk(48.0), {.extendMm = 3.0}).empty());
+  EXPECT_EQ(leftOblique(disk(48.0), {.extendMm = 8.0}).source, FissureSource::Surface);
 }
 
 }  // namespace

@@ -19,9 +19,10 @@ std::optional<Fissure> fissureOfLabel(std::string_view label);
 /// What labels may say, for messages.
 std::string labelAdvice();
 
-/// Our own, "pneuma/fissures/1".
+/// Our own, "pneuma/fissures/1"; surfaces are read from their files, whose names count from the
+/// path's folder. Text has them as they count from `folder`.
 GivenFissures fissuresOfJson(const std::filesystem::path& path, const Json& json);
-std::string fissureJsonText(const GivenFissures& fissures);
+std::string fissureJsonText(const GivenFissures& fissures, const std::filesystem::path& folder);
 
 /// Markups of 3D Slicer (markups-schema-v1.0).
 bool isMarkups(const Json& json);

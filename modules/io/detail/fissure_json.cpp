@@ -6,6 +6,7 @@
 #include "core/units.h"
 #include "io/detail/fissure_formats.h"
 #include "io/detail/text_fields.h"
+#include "io/surface_file.h"
 
 namespace pneuma {
 namespace {
@@ -16,7 +17,7 @@ constexpr std::string_view Schema = "pneuma/fissures/1";
 constexpr std::array<const char*, 6> Terms = {"1", "x", "y", "xx", "xy", "yy"};
 
 /// What a fissure may be given by.
-constexpr std::array<const char*, 3> Ways = {"points", "plane", "equation"};
+constexpr std::array<const char*, 4> Ways = {"points", "plane", "equation", "surface"};
 
 constexpr double LeastSine = 1e-3;  ///< of the angle between handles, else they lie on a line
 
@@ -54,13 +55,15 @@ class JsonFissures {
     if (!entry.is_object()) fail("has no object under \"" + name + "\"");
     const auto ways = std::ranges::count_if(Ways, [&](auto* way) { return entry.contains(way); });
     if (ways > 1) {
-      fail("gives \"" + name + "\" in two ways; take one of points, plane and equation");
+      fail("gives \"" + name + "\" in two ways; take one of points, plane, equation and surface");
     }
     GivenFissure set;
     if (entry.contains("plane")) {
       set.plane = plane(name, entry["plane"]);
     } else if (entry.contains("equation")) {
       set.equation = equation(name, entry["equation"]);
+    } else if (entry.contains("surface")) {
+      set.patch = patch(name, entry["surface"]);
     } else {
       readPoints(set, name, entry);
     }
@@ -149,9 +152,20 @@ class JsonFissures {
     return equation;
   }
 
+  FissurePatch patch(const std::string& name, const Json& file) const {
+    if (!file.is_string()) fail("has no file's name as surface of \"" + name + "\"");
+    FissurePatch patch;
+    patch.file = path_.parent_path() / file.get<std::string>();
+    SurfaceFile surface = readSurface(patch.file);
+    patch.mesh = std::make_shared<const TriangleMesh>(std::move(surface.mesh));
+    patch.notes = std::move(surface.notes);
+    return patch;
+  }
+
   void readPoints(GivenFissure& set, const std::string& name, const Json& entry) const {
     if (!entry.contains("points") || !entry["points"].is_array()) {
-      fail("has no array \"points\", nor a plane or an equation, under \"" + name + "\"");
+      fail("has no array \"points\", nor a plane, an equation or a surface, under \"" + name +
+           "\"");
     }
     for (const Json& point : entry["points"]) {
       const std::string which =
@@ -173,7 +187,7 @@ class JsonFissures {
   const std::filesystem::path& path_;
 };
 
-Json toJson(const GivenFissure& set) {
+Json toJson(const GivenFissure& set, const std::filesystem::path& folder) {
   if (set.plane) {
     return {
         {"plane", {{"point", numbers(set.plane->point)}, {"normal", numbers(set.plane->normal)}}}};
@@ -184,6 +198,12 @@ Json toJson(const GivenFissure& set) {
       equation[Terms[i]] = set.equation->coefficients[i];
     }
     return {{"equation", std::move(equation)}};
+  }
+  if (set.patch) {
+    std::error_code unknown;
+    const std::filesystem::path from = folder.empty() ? "." : folder;
+    const std::filesystem::path file = std::filesystem::proximate(set.patch->file, from, unknown);
+    return {{"surface", (unknown ? set.patch->file : file).generic_string()}};
   }
   Json entry = {{"points", Json::array()}};
   for (const Vec3& p : set.points) entry["points"].push_back(numbers(p));
@@ -197,10 +217,10 @@ GivenFissures fissuresOfJson(const std::filesystem::path& path, const Json& json
   return JsonFissures(path).read(json);
 }
 
-std::string fissureJsonText(const GivenFissures& fissures) {
+std::string fissureJsonText(const GivenFissures& fissures, const std::filesystem::path& folder) {
   Json json = {{"schema", Schema}, {"space", "LPS"}, {"units", "mm"}, {"fissures", Json::object()}};
   for (const auto& [fissure, set] : fissures) {
-    json["fissures"][std::string(shortName(fissure))] = toJson(set);
+    json["fissures"][std::string(shortName(fissure))] = toJson(set, folder);
   }
   return json.dump(2) + "\n";
 }
