@@ -133,10 +133,15 @@ PatchFit fitPatch(const TriangleMesh& patch, const std::string& what) {
   const FissureContact places = placesOf(patch);
   const std::vector<Vec3> knots =
       farthestPoints(places, std::min(KnotCounts.back(), places.points.size()));
+  // Between knots too: a coarse patch has nothing else.
+  std::vector<Vec3> checked = places.points;
+  for (const auto& [a, b, c] : patch.triangles) {
+    checked.emplace_back((patch.points[a] + patch.points[b] + patch.points[c]) / 3.0);
+  }
   PatchFit fit;
   for (const std::size_t count : KnotCounts) {
     const std::size_t n = std::min(count, knots.size());
-    fit = fitThrough(std::span(knots).first(n), places.points);
+    fit = fitThrough(std::span(knots).first(n), checked);
     if (fit.largestMm <= CloseMm || n == knots.size()) break;
   }
   if (fit.largestMm <= MostMm) return fit;

@@ -12,12 +12,12 @@ namespace pneuma {
 struct PatchFit {
   HeightSurface surface;
   std::size_t knots = 0;   ///< points that the spline goes through
-  double meanMm = 0.0;     ///< of the patch's points from it
+  double meanMm = 0.0;     ///< of the patch's points and triangles' middles from it
   double largestMm = 0.0;  ///< 2 at most
 };
 
-/// The thin-plate spline through as many points of a patch, spread over it, as bring all of them
-/// within 0.2 mm of it, 800 at most.
+/// The thin-plate spline through as many points of a patch, spread over it, as bring all of them,
+/// and the middles of its triangles, within 0.2 mm of it, 800 at most.
 /// @param what names it in sentences ("surface of the left oblique fissure")
 /// @throws InvalidInput if the patch is closed, folds over its best plane, or else has points that
 /// lie more than 2 mm from the spline

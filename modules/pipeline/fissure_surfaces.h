@@ -2,6 +2,7 @@
 
 #include <array>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <tuple>
@@ -47,9 +48,10 @@ struct UsedFissure {
   HeightSurface surface;
   FissureSource source = FissureSource::Proposal;
   std::size_t points = 0;
-  std::vector<double> leftOutMm;  ///< of each point, see leaveOneOut()
-  double meanMm = 0.0;            ///< mean distance of the points from the surface
-  double largestMm = 0.0;         ///< largest; of a surface from a file, of its points
+  std::vector<double> leftOutMm;   ///< of each point, see leaveOneOut()
+  double meanMm = 0.0;             ///< mean distance of the points from the surface
+  std::optional<double> coverage;  ///< share of it that its points enclose, see addCoverage()
+  double largestMm = 0.0;          ///< largest; of a surface from a file, of its points
 };
 
 using UsedFissures = std::map<Fissure, UsedFissure>;

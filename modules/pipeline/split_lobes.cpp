@@ -7,6 +7,7 @@
 #include "core/units.h"
 #include "geometry/mesh_topology.h"
 #include "pipeline/figure_table.h"
+#include "pipeline/fissure_coverage.h"
 #include "pipeline/report.h"
 
 namespace pneuma {
@@ -58,6 +59,7 @@ void splitOne(const LobeSurface& lung, const LobeInputs& inputs, const LobeOptio
     result.faults[lobe] = health.openEdges + health.nonManifoldEdges + health.misorientedEdges +
                           health.nonManifoldVertices;
   }
+  addCoverage(result.fissures, split, inputs.given, result.warnings);
   result.lungs.push_back(std::move(split));
 }
 
@@ -113,6 +115,7 @@ Json lobesReport(const LungModel& model, const LobesOfLungs& lobes, const LobeOp
     Json entry = {{"fissure", shortName(fissure)}, {"source", textOf(used.source)},
                   {"points", used.points},         {"mean_mm", used.meanMm},
                   {"largest_mm", used.largestMm},  {"left_out_mm", used.leftOutMm}};
+    if (used.coverage) entry["coverage"] = *used.coverage;
     for (const SplitLung& lung : lobes.lungs) {
       const auto found = lung.reports.find(fissure);
       if (found == lung.reports.end()) continue;

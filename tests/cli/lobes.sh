@@ -37,6 +37,7 @@ cat >points.json <<'P'
 P
 succeeds "three points in the left lung" lobes lungs/left.vtp --fissures points.json -o three
 prints '^left-oblique +proposal bent through points +3'
+expect "nothing is said of the part without points" grep -q 'enclose [0-9]* % of it; the rest is a guess' "$logs/err"
 expect "the points were not kept" test -s three/fissures.json
 expect "there are lobes of a lung that was not given" test ! -e three/rul.vtp
 
@@ -105,6 +106,9 @@ awk 'BEGIN { print "v 90 0 -50"; for (i = 0; i < 24; i++) print "v", 90 + 20 * c
   for (i = 0; i < 24; i++) print "f", 1, i + 2, (i + 1) % 24 + 2 }' >disk.obj
 refuses "a surface that ends inside" 4 'left oblique fissure ends inside the lung: at \(.*\) mm its edge lies [0-9.]+ mm' lobes lungs --fissures disk.json -o nowhere
 refuses "more extension than there is" 2 'extend' lobes lungs --fissures disk.json --extend 20 -o nowhere
+awk 'BEGIN { for (i = 0; i < 30; i++) { a = i / 6 - 2.5; for (s = -1; s < 2; s += 2) print "v", 80 + 60 * sin(a), 80 * s, -50 + 60 * cos(a) }
+  for (i = 1; i < 30; i++) print "f", 2 * i - 1, 2 * i, 2 * i + 2 "\nf", 2 * i - 1, 2 * i + 2, 2 * i + 1 }' >disk.obj
+refuses "a surface that folds" 4 'left oblique fissure folds over its best plane at \(' lobes lungs --fissures disk.json -o nowhere
 ball 40 90 0 -50 >disk.obj
 refuses "a closed surface" 4 'is closed; a fissure' lobes lungs --fissures disk.json -o nowhere
 rm disk.obj
@@ -127,6 +131,22 @@ echo '{' >broken.json
 refuses "no JSON" 4 'no JSON near byte' lobes lungs --fissures broken.json -o nowhere
 refuses "points that are not there" 3 'absent' lobes lungs --fissures absent.json -o nowhere
 refuses "points in another format" 5 'cannot be read as points' lobes lungs --fissures lungs/left.vtp -o nowhere
+sed 's/-120/NaN/' points.json >nan.json
+refuses "a point that is no number" 4 'no JSON near byte' lobes lungs --fissures nan.json -o nowhere
+printf '# CoordinateSystem = LPS\n# columns = label,x,y,z\nLO-1,70,nan,-120\n' >nan.fcsv
+refuses "... among markups" 4 "no number in line 3: 'nan'" lobes lungs --fissures nan.fcsv -o nowhere
+sed 's/LPS/IJK/; s/nan/1/' nan.fcsv >ijk.fcsv
+refuses "markups in voxels" 4 'frame "IJK"; there are LPS' lobes lungs --fissures ijk.fcsv -o nowhere
+sed 's/nan/1/; s/LO-1/F-1/' nan.fcsv >F.fcsv
+refuses "markups of no fissure" 4 'does not say upon which fissure .*right-oblique, right-horizontal or left-oblique' lobes lungs --fissures F.fcsv -o nowhere
+sed 's/\[\([0-9]\)/[-\1/g' points.json >other.json
+refuses "points of the other lung" 4 'left oblique fissure lie far from the lung' lobes lungs --fissures other.json -o nowhere
+mkdir ball
+ball 50 -60 0 0 >ball/right.obj
+cat >top.json <<'P'
+{ "schema": "pneuma/fissures/1", "fissures": { "right-oblique": { "plane": { "point": [0, 0, 50], "normal": [0, 0, 1] } } } }
+P
+refuses "a fissure that touches" 4 'touches the lung and does not cross it' lobes ball --planes top.json -o nowhere
 refuses "fractions that are none" 2 'fractions takes' lobes lungs --fractions 30,40 -o nowhere
 refuses "fractions that do not add up" 4 'sum up to 100' lobes lungs --fractions 30,40,50 -o nowhere
 refuses "a file for a folder" 6 'is a file' lobes lungs -o points.json

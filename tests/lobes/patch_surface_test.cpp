@@ -75,6 +75,15 @@ TEST(PatchSurface, IsRefusedWhereItIsNoHeight) {
     return Vec3(60.0 * std::sin(2.5 * a), 80.0 * b, 60.0 * std::cos(2.5 * a));
   };
   EXPECT_NE(refusal(sheet(rolled)).find("folds over its best plane at ("), std::string::npos);
+  TriangleMesh strip;  // of few points, all of them knots
+  for (std::uint32_t i = 0; i < 30; ++i) {
+    strip.points.push_back(rolled(i / 15.0 - 1.0, -1.0));
+    strip.points.push_back(rolled(i / 15.0 - 1.0, 1.0));
+    if (i == 0) continue;
+    strip.triangles.push_back({2 * i - 2, 2 * i - 1, 2 * i});
+    strip.triangles.push_back({2 * i - 1, 2 * i + 1, 2 * i});
+  }
+  EXPECT_NE(refusal(strip).find("folds over its best plane at ("), std::string::npos);
   const auto jagged = [](double a, double b) {
     const double up = std::lround(20.0 * a + 20.0 * b) % 2 == 0 ? 2.5 : -2.5;
     return Vec3(200.0 * a, 200.0 * b, up);

@@ -7,6 +7,7 @@
 
 #include "core/error.h"
 #include "geometry/test_surfaces.h"
+#include "pipeline/fissure_coverage.h"
 
 namespace pneuma {
 namespace {
@@ -58,6 +59,27 @@ TEST(FissureSurfaces, FollowAnEquationExactly) {
     const double z = -20.0 + 0.25 * x + 1.15 * y + 0.001 * x * x - 0.002 * x * y - 0.0009 * y * y;
     EXPECT_NEAR(used.surface.height({1.0 + x, -2.0 + y, 4.0 + z + 7.0}), 7.0, 1e-9);
   }
+}
+
+TEST(FissureSurfaces, TellHowMuchOfAFissureItsPointsEnclose) {
+  const auto coverage = [](double width, std::vector<std::string>& warnings) {
+    GivenFissure given;
+    given.points = {{-width, -width, 0.0}, {width, -width, 0.0}, {width, width, 0.0},
+                    {-width, width, 0.0},  {0.0, width, 1.0},    {width, 0.0, 1.0}};
+    const GivenFissures all = {{Fissure::LeftOblique, given}};
+    UsedFissures used = fissureSurfaces(egg(), Side::Left, all, {}, warnings);
+    const SplitLung lung = splitLung(
+        egg(), Side::Left, {{Fissure::LeftOblique, used.at(Fissure::LeftOblique).surface}}, 2.5);
+    addCoverage(used, lung, all, warnings);
+    return used.at(Fissure::LeftOblique).coverage.value();
+  };
+  std::vector<std::string> warnings;
+  EXPECT_GT(coverage(45.0, warnings), 0.5);
+  EXPECT_TRUE(warnings.empty());
+  // The egg has an ellipse of 55 by 80 mm there.
+  EXPECT_NEAR(coverage(20.0, warnings), 1600.0 / (std::numbers::pi * 55.0 * 80.0), 0.02);
+  ASSERT_EQ(warnings.size(), 1U);
+  EXPECT_NE(warnings[0].find("left oblique fissure enclose 1"), std::string::npos) << warnings[0];
 }
 
 /// z = 20 over the lung, as far as `reach` mm from the axis.
