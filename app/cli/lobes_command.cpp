@@ -18,6 +18,7 @@ namespace {
 constexpr const char* ReportName = "lobes.json";
 constexpr const char* PointsName = "fissures.json";
 constexpr const char* PatchFolder = "fissures";
+constexpr const char* PartFolder = "accessory";
 
 struct LobesArguments {
   std::vector<std::filesystem::path> lungs;
@@ -110,6 +111,7 @@ void writeAll(const std::filesystem::path& folder, const std::vector<std::filesy
   OutputSet outputs;
   outputs.addFolder(folder);
   outputs.addFolder(folder / PatchFolder);
+  if (!lobes.parted.empty()) outputs.addFolder(folder / PartFolder);
   for (const auto& path : paths) outputs.add(path);
   for (const SplitLung& lung : lobes.lungs) {
     for (const Lobe lobe : lobesOf(lung.side)) {
@@ -122,7 +124,10 @@ void writeAll(const std::filesystem::path& folder, const std::vector<std::filesy
       progress.throwIfStopped();
     }
   }
-  if (!inputs.given.empty()) writeFissures(folder / PointsName, inputs.given);
+  writePartedLobes(folder, lobes.parted);
+  if (!inputs.given.empty() || !inputs.accessory.empty()) {
+    writeFissures(folder / PointsName, inputs.given, inputs.accessory);
+  }
   writeFile(folder / ReportName, jsonText(report));
   outputs.keep();
 }
@@ -134,14 +139,17 @@ ExitCode runLobes(const LobesArguments& arguments, const CommonOptions& common,
   requireFolderOutput(common.output);
   const std::filesystem::path& given =
       arguments.planes.empty() ? arguments.fissures : arguments.planes;
-  if (!arguments.fissures.empty()) inputs.given = readFissures(given);
-  if (!arguments.planes.empty()) inputs.given = readPlanes(given);
+  FissureFile file;
+  if (!arguments.fissures.empty()) file = readFissureFile(given);
+  if (!arguments.planes.empty()) file.fissures = readPlanes(given);
+  inputs.given = file.fissures;
+  inputs.accessory = file.accessory;
   LungModel model = openLobes(arguments.lungs, progress.part(0.0, 0.3, "reading surfaces"));
-  std::vector<std::filesystem::path> givenFiles = patchFiles(inputs.given);
+  std::vector<std::filesystem::path> givenFiles = patchFiles(file);
   if (!given.empty()) givenFiles.push_back(given);
-  for (const auto& file : givenFiles) model.inputs.push_back(inputFile(file));
-  const std::vector<std::filesystem::path> paths =
-      outputsOf(common.output, model, !inputs.given.empty());
+  for (const auto& path : givenFiles) model.inputs.push_back(inputFile(path));
+  std::vector<std::filesystem::path> paths = outputsOf(common.output, model, !given.empty());
+  for (const auto& part : partedLobeFiles(inputs.accessory)) paths.push_back(common.output / part);
   for (const auto& path : paths) {
     std::error_code ignored;
     if (std::filesystem::exists(path.parent_path(), ignored)) {

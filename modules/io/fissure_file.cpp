@@ -40,24 +40,31 @@ void requirePointsOnly(const std::filesystem::path& path, const GivenFissures& f
 
 }  // namespace
 
-GivenFissures readFissures(const std::filesystem::path& path) {
+FissureFile readFissureFile(const std::filesystem::path& path) {
   const std::string text = readFile(path, MostBytes);
   const std::string extension = lowerCase(path.extension().string());
   if (extension == ".json") {
     const Json json = parsed(path, text);
     const bool markups = isMarkupsName(path) || isMarkups(json);
-    return markups ? fissuresOfMarkups(path, json) : fissuresOfJson(path, json);
+    return markups ? FissureFile{fissuresOfMarkups(path, json), {}} : fissuresOfJson(path, json);
   }
-  if (extension == ".fcsv") return fissuresOfFcsv(path, text);
-  if (extension == ".csv") return fissuresOfCipCsv(path, text);
+  if (extension == ".fcsv") return {fissuresOfFcsv(path, text), {}};
+  if (extension == ".csv") return {fissuresOfCipCsv(path, text), {}};
   throw Unsupported(quoted(path) +
                     " cannot be read as points of fissures; give .json (pneuma/fissures/1), "
                     ".mrk.json or .fcsv (3D Slicer), or .csv (Chest Imaging Platform)");
 }
 
+GivenFissures readFissures(const std::filesystem::path& path) {
+  return readFissureFile(path).fissures;
+}
+
 GivenFissures readPlanes(const std::filesystem::path& path) {
-  GivenFissures planes = readFissures(path);
-  for (const auto& [fissure, given] : planes) {
+  const FissureFile file = readFissureFile(path);
+  if (!file.accessory.empty()) {
+    throw InvalidInput(quoted(path) + " has accessory fissures; they are taken by --fissures");
+  }
+  for (const auto& [fissure, given] : file.fissures) {
     if (given.plane) continue;
     throw InvalidInput(quoted(path) + " gives no plane for the " + std::string(longName(fissure)) +
                        " but " +
@@ -66,25 +73,31 @@ GivenFissures readPlanes(const std::filesystem::path& path) {
                                        : "points") +
                        "; what is no plane is taken by --fissures");
   }
-  return planes;
+  return file.fissures;
 }
 
-std::vector<std::filesystem::path> patchFiles(const GivenFissures& fissures) {
+std::vector<std::filesystem::path> patchFiles(const FissureFile& file) {
   std::vector<std::filesystem::path> files;
-  for (const auto& [fissure, given] : fissures) {
+  const auto add = [&](const GivenFissure& given) {
     if (given.patch) files.push_back(given.patch->file);
-  }
+  };
+  for (const auto& [fissure, given] : file.fissures) add(given);
+  for (const AccessoryFissure& accessory : file.accessory) add(accessory.fissure);
   return files;
 }
 
-void writeFissures(const std::filesystem::path& path, const GivenFissures& fissures) {
+void writeFissures(const std::filesystem::path& path, const GivenFissures& fissures,
+                   const std::vector<AccessoryFissure>& accessory) {
   const std::string extension = lowerCase(path.extension().string());
   if (extension == ".json" && !isMarkupsName(path)) {
-    writeFile(path, fissureJsonText(fissures, path.parent_path()));
+    writeFile(path, fissureJsonText({fissures, accessory}, path.parent_path()));
     return;
   }
   requireFissureFileName(path);
   requirePointsOnly(path, fissures);
+  if (!accessory.empty()) {
+    throw Unsupported(quoted(path) + " cannot tell of accessory fissures; write .json instead");
+  }
   writeFile(path, extension == ".json"   ? markupsText(fissures)
                   : extension == ".fcsv" ? fcsvText(fissures)
                                          : cipCsvText(fissures));

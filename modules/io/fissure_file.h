@@ -47,12 +47,28 @@ struct GivenFissure {
 
 using GivenFissures = std::map<Fissure, GivenFissure>;
 
+/// A fissure that not everybody has, and the lobe it parts.
+struct AccessoryFissure {
+  std::string name;  ///< small letters, digits and dashes, other than the three fissures' names
+  Lobe lobe = Lobe::Whole;
+  GivenFissure fissure;
+};
+
+/// What a file tells of fissures.
+struct FissureFile {
+  GivenFissures fissures;
+  std::vector<AccessoryFissure> accessory;
+};
+
 /// Reads fissures: our JSON (schema pneuma/fissures/1); markups of 3D Slicer, .mrk.json or the
 /// older .fcsv, LPS or RAS, whose points' labels or lists name the fissure (right-oblique-3, RH);
 /// or the CSV of the Chest Imaging Platform (columns region, type, x, y, z; RIGHTLUNG or LEFTLUNG,
 /// OBLIQUEFISSURE or HORIZONTALFISSURE; other rows are left out). Points without a place are left
 /// out of markups.
 /// @throws InputMissing; InvalidInput naming file and row or entry; Unsupported for another format
+FissureFile readFissureFile(const std::filesystem::path& path);
+
+/// The same without accessory fissures.
 GivenFissures readFissures(const std::filesystem::path& path);
 
 /// The same for a file that has to give every fissure by a plane.
@@ -60,11 +76,12 @@ GivenFissures readFissures(const std::filesystem::path& path);
 GivenFissures readPlanes(const std::filesystem::path& path);
 
 /// The files of surfaces that fissures are given by.
-std::vector<std::filesystem::path> patchFiles(const GivenFissures& fissures);
+std::vector<std::filesystem::path> patchFiles(const FissureFile& file);
 
 /// Writes our JSON, or .mrk.json, .fcsv or .csv as readFissures() reads them, LPS.
 /// @throws OutputFailed; Unsupported for another extension, or for what a format does not have
-void writeFissures(const std::filesystem::path& path, const GivenFissures& fissures);
+void writeFissures(const std::filesystem::path& path, const GivenFissures& fissures,
+                   const std::vector<AccessoryFissure>& accessory = {});
 
 /// Throws now what writeFissures() would for the extension. @throws Unsupported
 void requireFissureFileName(const std::filesystem::path& path);

@@ -66,4 +66,9 @@ using UsedFissures = std::map<Fissure, UsedFissure>;
 UsedFissures fissureSurfaces(const TriangleMesh& lung, Side side, const GivenFissures& given,
                              const LobeOptions& options, std::vector<std::string>& warnings);
 
+/// The surface of one more fissure in a lobe. There is no proposal: points alone make it.
+/// @throws as fissureSurfaces()
+UsedFissure accessorySurface(const AccessoryFissure& fissure, const TriangleMesh& lobe,
+                             const LobeOptions& options, std::vector<std::string>& warnings);
+
 }  // namespace pneuma

@@ -91,6 +91,7 @@ LobesOfLungs splitLobes(const LungModel& model, const LobeInputs& inputs,
         "there is no whole lung to split; name its surface right or left, as 'pneuma segment "
         "--surfaces' does");
   }
+  result.parted = partedLobes(result.lungs, inputs.accessory, options, result.warnings);
   progress.report(1.0);
   return result;
 }
@@ -137,6 +138,7 @@ Json lobesReport(const LungModel& model, const LobesOfLungs& lobes, const LobeOp
   for (const auto& [lobe, faults] : lobes.faults) {
     check("CLOSED-" + std::string(shortName(lobe)), static_cast<double>(faults), 0.0);
   }
+  addPartedLobes(report, lobes.parted);
   report["warnings"] = model.warnings;
   for (const std::string& warning : lobes.warnings) report["warnings"].push_back(warning);
   report["peak_memory_mb"] = peakMemoryMb();

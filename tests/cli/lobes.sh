@@ -114,6 +114,29 @@ refuses "a closed surface" 4 'is closed; a fissure' lobes lungs --fissures disk.
 rm disk.obj
 refuses "a surface that is not there" 3 'disk.obj' lobes lungs --fissures disk.json -o nowhere
 
+cat >accessory.json <<'P'
+{ "schema": "pneuma/fissures/1",
+  "accessory": [ { "name": "left-horizontal", "lobe": "lul", "plane": { "point": [90, 0, 0], "tilt_deg": 0 } } ] }
+P
+succeeds "an accessory fissure" lobes lungs --fissures accessory.json -o more --json
+keeps lobes
+expect "the lobe did not stay whole" cmp lobes/lul.vtp more/lul.vtp
+for part in accessory/left-horizontal_below accessory/left-horizontal_above; do
+  succeeds "$part" info "more/$part.vtp"
+  prints 'healthy'
+done
+expect "the fissure is not there" test -s more/fissures/left-horizontal.vtp
+cp more/fissures.json "$logs/out"
+keeps fissures
+sed 's/lul/rul/' accessory.json >elsewhere.json
+refuses "an accessory fissure of another lung" 4 'right upper lobe, but there is no such lung' lobes lungs/left.vtp --fissures elsewhere.json -o nowhere
+sed 's/90, 0, 0/90, 0, 500/' accessory.json >high.json
+refuses "an accessory fissure beside its lobe" 4 'accessory fissure left-horizontal does not cross' lobes lungs --fissures high.json -o nowhere
+for name in planes equation surfaces points drawn; do
+  cp $name.json "$logs/out"
+  keeps fissures
+done
+
 refuses "lobes that are there" 6 'exists' lobes lungs -o lobes
 refuses "no lung" 4 'no whole lung' lobes lobes -o nowhere
 refuses "points without their lung" 4 'no left lung' lobes lungs/right.vtp --fissures points.json -o nowhere

@@ -114,7 +114,7 @@ TEST_F(FissureFileTest, ReadsSurfacesFromFilesBesideIt) {
   const GivenFissures given = readFissures(file("s.json", text));
   ASSERT_TRUE(given.at(Fissure::LeftOblique).patch);
   EXPECT_EQ(given.at(Fissure::LeftOblique).patch->mesh->points, mesh.points);
-  EXPECT_EQ(patchFiles(given).size(), 1U);
+  EXPECT_EQ(patchFiles({given, {}}).size(), 1U);
   // Written into another folder it names the same file.
   std::filesystem::create_directories(folder_ / "out");
   writeFissures(folder_ / "out" / "s.json", given);
@@ -122,6 +122,24 @@ TEST_F(FissureFileTest, ReadsSurfacesFromFilesBesideIt) {
             mesh.points);
   EXPECT_THROW(writeFissures(folder_ / "s.mrk.json", given), Unsupported);
   EXPECT_THROW(readFissures(file("out/t.json", text)), InputMissing);
+}
+
+TEST_F(FissureFileTest, ReadsAccessoryFissuresAsTheyWereWritten) {
+  GivenFissure plane;
+  plane.plane = FissurePlane{{1.0, 2.0, 3.0}, {0.0, 0.0, 1.0}};
+  const std::vector<AccessoryFissure> accessory = {
+      {"left-horizontal", Lobe::LeftUpper, plane},
+      {"azygos", Lobe::RightUpper, {{{1.0, 2.0, 3.0}}, {}, {}, {}, {}}}};
+  writeFissures(folder_ / "a.json", {}, accessory);
+  const FissureFile back = readFissureFile(folder_ / "a.json");
+  EXPECT_TRUE(back.fissures.empty());
+  ASSERT_EQ(back.accessory.size(), 2U);
+  EXPECT_EQ(back.accessory[0].name, "left-horizontal");
+  EXPECT_EQ(back.accessory[0].lobe, Lobe::LeftUpper);
+  EXPECT_TRUE(back.accessory[0].fissure.plane);
+  EXPECT_EQ(back.accessory[1].fissure.points, accessory[1].fissure.points);
+  EXPECT_THROW(readPlanes(folder_ / "a.json"), InvalidInput);
+  EXPECT_THROW(writeFissures(folder_ / "a.fcsv", {}, accessory), Unsupported);
 }
 
 TEST_F(FissureFileTest, ReadsTheChestImagingPlatformsCsv) {
@@ -263,6 +281,13 @@ TEST_F(FissureFileTest, SaysWhereAFileIsWrong) {
          "handles of the plane of \"left-oblique\" that lie on one line");
   expect("a.json", json(R"({"plane": {"point": [1, 2, 3], "tilt_deg": 91}})"), "-90 to 90 as tilt");
   expect("a.json", json(R"({"equation": {"origin": [1, 2, 3]}})"), "no term of the equation");
+  const auto accessory = [](const std::string& entry) {
+    return R"({"schema": "pneuma/fissures/1", "accessory": [)" + entry + "]}";
+  };
+  expect("a.json", accessory(R"({"name": "../x", "lobe": "lul"})"), "no name of its own");
+  expect("a.json", accessory(R"({"name": "left-oblique", "lobe": "lul"})"), "no name of its own");
+  expect("a.json", accessory(R"({"name": "x", "lobe": "left"})"), "no lobe as \"lobe\" of \"x\"");
+  expect("a.json", accessory(R"({"name": "x", "lobe": "LUL"})"), "no array \"points\"");
   expect("a.json", json(R"({"surface": 3})"), "no file's name as surface");
   expect("a.json", json(R"({"equation": {"xxx": 3}})"), "a term \"xxx\"");
   expect("a.json", json(R"({"equation": {"x": "3"}})"), "no number as term \"x\"");

@@ -21,8 +21,8 @@ std::string labelAdvice();
 
 /// Our own, "pneuma/fissures/1"; surfaces are read from their files, whose names count from the
 /// path's folder. Text has them as they count from `folder`.
-GivenFissures fissuresOfJson(const std::filesystem::path& path, const Json& json);
-std::string fissureJsonText(const GivenFissures& fissures, const std::filesystem::path& folder);
+FissureFile fissuresOfJson(const std::filesystem::path& path, const Json& json);
+std::string fissureJsonText(const FissureFile& file, const std::filesystem::path& folder);
 
 /// Markups of 3D Slicer (markups-schema-v1.0).
 bool isMarkups(const Json& json);

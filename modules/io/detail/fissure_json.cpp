@@ -27,28 +27,67 @@ class JsonFissures {
  public:
   explicit JsonFissures(const std::filesystem::path& path) : path_(path) {}
 
-  GivenFissures read(const Json& json) const {
+  FissureFile read(const Json& json) const {
     if (!json.is_object() || json.value("schema", Json()) != Schema) {
       fail("holds no fissures: its \"schema\" should be \"" + std::string(Schema) + "\"");
     }
     if (json.value("space", Json("LPS")) != "LPS") fail("is not in the frame LPS");
     const Json fissures = json.value("fissures", Json());
-    if (!fissures.is_object() || fissures.empty()) fail("has no object under \"fissures\"");
-    GivenFissures sets;
+    FissureFile file;
+    readAccessory(file, json.value("accessory", Json::array()));
+    const bool may = fissures.is_null() && !file.accessory.empty();
+    if (!may && (!fissures.is_object() || fissures.empty())) {
+      fail("has no object under \"fissures\"");
+    }
     for (const auto& [name, entry] : fissures.items()) {
       const std::optional<Fissure> fissure = fissureOfShortName(name);
       if (!fissure) {
         fail("names a fissure \"" + name +
              "\"; there are right-oblique, right-horizontal and left-oblique");
       }
-      sets[*fissure] = given(name, entry);
+      file.fissures[*fissure] = given(name, entry);
     }
-    return sets;
+    return file;
   }
 
  private:
   [[noreturn]] void fail(const std::string& what) const {
     throw InvalidInput(quoted(path_) + " " + what);
+  }
+
+  void readAccessory(FissureFile& file, const Json& list) const {
+    if (!list.is_array()) fail("has no array as \"accessory\"");
+    for (const Json& entry : list) {
+      const std::string which = "accessory fissure " + std::to_string(file.accessory.size() + 1);
+      if (!entry.is_object()) fail("has no object as " + which);
+      const Json name = entry.value("name", Json());
+      AccessoryFissure accessory;
+      if (name.is_string()) accessory.name = name.get<std::string>();
+      const bool other = std::ranges::none_of(file.accessory, [&](const AccessoryFissure& before) {
+        return before.name == accessory.name;
+      });
+      if (!isFileName(accessory.name) || fissureOfShortName(accessory.name) || !other) {
+        fail("has no name of its own as \"name\" of " + which +
+             "; small letters, digits and dashes may be in it");
+      }
+      const Json lobe = entry.value("lobe", Json());
+      const std::optional<Lobe> named =
+          lobe.is_string() ? lobeOfShortName(lobe.get<std::string>()) : std::nullopt;
+      if (!named || std::ranges::find(FiveLobes, *named) == FiveLobes.end()) {
+        fail("names no lobe as \"lobe\" of \"" + accessory.name +
+             "\"; there are rul, rml, rll, lul and lll");
+      }
+      accessory.lobe = *named;
+      accessory.fissure = given(accessory.name, entry);
+      file.accessory.push_back(std::move(accessory));
+    }
+  }
+
+  /// Also on systems that tell no capitals from small letters.
+  static bool isFileName(const std::string& name) {
+    constexpr std::string_view Allowed = "abcdefghijklmnopqrstuvwxyz0123456789-";
+    return !name.empty() && name.size() <= 64 &&
+           name.find_first_not_of(Allowed) == std::string::npos;
   }
 
   GivenFissure given(const std::string& name, const Json& entry) const {
@@ -213,14 +252,20 @@ Json toJson(const GivenFissure& set, const std::filesystem::path& folder) {
 
 }  // namespace
 
-GivenFissures fissuresOfJson(const std::filesystem::path& path, const Json& json) {
+FissureFile fissuresOfJson(const std::filesystem::path& path, const Json& json) {
   return JsonFissures(path).read(json);
 }
 
-std::string fissureJsonText(const GivenFissures& fissures, const std::filesystem::path& folder) {
+std::string fissureJsonText(const FissureFile& file, const std::filesystem::path& folder) {
   Json json = {{"schema", Schema}, {"space", "LPS"}, {"units", "mm"}, {"fissures", Json::object()}};
-  for (const auto& [fissure, set] : fissures) {
+  for (const auto& [fissure, set] : file.fissures) {
     json["fissures"][std::string(shortName(fissure))] = toJson(set, folder);
+  }
+  if (file.fissures.empty()) json.erase("fissures");
+  for (const AccessoryFissure& accessory : file.accessory) {
+    Json entry = {{"name", accessory.name}, {"lobe", shortName(accessory.lobe)}};
+    entry.update(toJson(accessory.fissure, folder));
+    json["accessory"].push_back(std::move(entry));
   }
   return json.dump(2) + "\n";
 }
