@@ -7,11 +7,12 @@
 namespace pneuma::cli {
 namespace {
 
-constexpr std::array<Command, 21> Table = {{
+constexpr std::array<Command, 22> Table = {{
     {"run", "From a CT to lungs, airways and a grown tree, by a recipe.", declareRun},
     {"segment", "Find lungs and central airways in a CT.", declareSegment},
     {"lobes", "Split lungs into lobes along their fissures.", declareLobes},
     {"check", "Check a folder of lobes all over again.", declareCheck},
+    {"fissures", "Set points upon the fissures between lobes that touch.", declareFissures},
     {"grow", "Grow a bronchial tree in lobes or in a built-in organ.", declareGrow},
     {"study", "Grow with many seeds: mean and spread of the figures.", declareStudy},
     {"outline", "Aggregate in the outline of a right lung, in a plane (Zhang 2003).",

@@ -21,6 +21,7 @@ constexpr double LabelMm = 1.0;  ///< voxels of labels where there is no image
 struct LobesArguments {
   std::vector<std::filesystem::path> lungs;
   std::filesystem::path fissures;
+  std::filesystem::path planes;
   std::string fractions;
   LungLabelOptions labels;
   LobeOptions options;
@@ -62,21 +63,27 @@ ExitCode runLobes(const LobesArguments& arguments, const CommonOptions& common,
   LobeInputs inputs;
   inputs.shares = fractionsOf(arguments.fractions);
   requireFolderOutput(common.output);
-  if (!arguments.fissures.empty()) inputs.given = readFissures(arguments.fissures);
+  const std::filesystem::path& given =
+      arguments.planes.empty() ? arguments.fissures : arguments.planes;
+  FissureFile file;
+  if (!arguments.fissures.empty()) file = readFissureFile(given);
+  if (!arguments.planes.empty()) file.fissures = readPlanes(given);
+  inputs.given = file.fissures;
+  inputs.accessory = file.accessory;
   LungModel model =
       openLungs(arguments.lungs, arguments.labels, progress.part(0.0, 0.3, "reading lungs"));
-  if (!arguments.fissures.empty()) model.inputs.push_back(inputFile(arguments.fissures));
+  std::vector<std::filesystem::path> givenFiles = patchFiles(file);
+  if (!given.empty()) givenFiles.push_back(given);
+  for (const auto& path : givenFiles) model.inputs.push_back(inputFile(path));
   std::vector<std::filesystem::path> paths;
-  for (const auto& file : lobeOutputs(model, !inputs.given.empty())) {
-    paths.push_back(common.output / file);
-  }
+  for (const auto& output : lobeOutputs(model, inputs)) paths.push_back(common.output / output);
   for (const auto& path : paths) {
     std::error_code ignored;
     if (std::filesystem::exists(path.parent_path(), ignored)) {
       requireOutput(path, common.existing());
     }
     requireOtherThanInputs(path, arguments.lungs);
-    requireOtherThanInputs(path, {&arguments.fissures, 1});
+    requireOtherThanInputs(path, givenFiles);
   }
   const LobesOfLungs lobes =
       splitLobes(model, inputs, arguments.options, progress.part(0.3, 0.85, "splitting lungs"));
@@ -86,9 +93,9 @@ ExitCode runLobes(const LobesArguments& arguments, const CommonOptions& common,
   const Json report = lobesReport(model, lobes, arguments.options);
   OutputSet outputs;
   outputs.addFolder(common.output);
-  outputs.addFolder((common.output / patchFile(Fissure::RightOblique)).parent_path());
+  for (const auto& path : paths) outputs.addFolder(path.parent_path());
   for (const auto& path : paths) outputs.add(path);
-  writeLobes(common.output, lobes, labels, inputs.given, report, writing);
+  writeLobes(common.output, lobes, labels, inputs, report, writing);
   outputs.keep();
   progress.report(1.0);
   if (!common.quiet) printWarnings(report.at("warnings").get<std::vector<std::string>>());
@@ -110,10 +117,17 @@ Run declareLobes(CLI::App& app, CommonOptions& common) {
       "segment --surfaces' writes; surfaces of lobes, which are joined to lungs first; an image of "
       "labels; or a CT.")
       ->required();
-  app.add_option("--fissures", arguments->fissures,
-                 "Points upon the fissures, .json (pneuma/fissures/1) or .csv (Chest Imaging "
-                 "Platform), LPS mm; a fissure without any is proposed by the lung's shape.")
-      ->type_name("FILE");
+  CLI::Option* fissures =
+      app.add_option(
+             "--fissures", arguments->fissures,
+             "The fissures: points, planes, equations or surfaces in .json (pneuma/fissures/1), "
+             "points in .mrk.json or .fcsv (3D Slicer) or .csv (Chest Imaging Platform); "
+             "one that is not there is proposed by the lung's shape.")
+          ->type_name("FILE");
+  app.add_option("--planes", arguments->planes,
+                 "The same from a .json file that has planes and nothing else.")
+      ->type_name("FILE")
+      ->excludes(fissures);
   app.add_option("--fractions", arguments->fractions,
                  "Move the fissures until the lobes have these shares of their lung in percent, "
                  "RUL,RML,RLL[/LUL,LLL], or 'usual' for 40.5,12.9,46.6/50,50.")

@@ -1,167 +1,113 @@
 #include "io/fissure_file.h"
 
-#include <cmath>
-#include <sstream>
-
 #include "core/error.h"
 #include "io/atomic_file.h"
+#include "io/detail/fissure_formats.h"
 #include "io/detail/text_fields.h"
-#include "io/json.h"
 
 namespace pneuma {
 namespace {
 
-constexpr std::string_view Schema = "pneuma/fissures/1";
 constexpr std::size_t MostBytes = std::size_t{64} << 20;
+constexpr std::string_view MarkupsEnding = ".mrk.json";
 
-class JsonFissures {
- public:
-  explicit JsonFissures(const std::filesystem::path& path) : path_(path) {}
-
-  GivenFissures read(const std::string& text) const {
-    Json json;
-    try {
-      json = Json::parse(text);
-    } catch (const Json::parse_error& error) {
-      fail("is no JSON near byte " + std::to_string(error.byte));
-    } catch (const Json::out_of_range&) {
-      fail("holds a number that is too large");
-    }
-    if (!json.is_object() || json.value("schema", Json()) != Schema) {
-      fail("holds no fissures: its \"schema\" should be \"" + std::string(Schema) + "\"");
-    }
-    if (json.value("space", Json("LPS")) != "LPS") fail("is not in the frame LPS");
-    const Json fissures = json.value("fissures", Json());
-    if (!fissures.is_object() || fissures.empty()) fail("has no object under \"fissures\"");
-    GivenFissures sets;
-    for (const auto& [name, entry] : fissures.items()) {
-      const std::optional<Fissure> fissure = fissureOfShortName(name);
-      if (!fissure) {
-        fail("names a fissure \"" + name +
-             "\"; there are right-oblique, right-horizontal and left-oblique");
-      }
-      if (!entry.is_object()) fail("has no object under \"" + name + "\"");
-      sets[*fissure] = entry.contains("plane") ? plane(name, entry["plane"]) : points(name, entry);
-    }
-    return sets;
+Json parsed(const std::filesystem::path& path, const std::string& text) {
+  try {
+    return Json::parse(text);
+  } catch (const Json::parse_error& error) {
+    throw InvalidInput(quoted(path) + " is no JSON near byte " + std::to_string(error.byte));
+  } catch (const Json::out_of_range&) {
+    throw InvalidInput(quoted(path) + " holds a number that is too large");
   }
+}
 
- private:
-  [[noreturn]] void fail(const std::string& what) const {
-    throw InvalidInput(quoted(path_) + " " + what);
+bool isMarkupsName(const std::filesystem::path& path) {
+  return lowerCase(path.filename().string()).ends_with(MarkupsEnding);
+}
+
+/// Other formats than ours have points and nothing else.
+void requirePointsOnly(const std::filesystem::path& path, const GivenFissures& fissures) {
+  for (const auto& [fissure, given] : fissures) {
+    if (!given.plane && !given.equation && !given.patch && given.weights.empty()) continue;
+    throw Unsupported(quoted(path) + " cannot tell of the " + std::string(longName(fissure)) +
+                      (given.plane      ? "'s plane"
+                       : given.equation ? "'s equation"
+                       : given.patch    ? "'s surface"
+                                        : "'s weights") +
+                      ": that format has points alone; write .json instead");
   }
-
-  Vec3 place(const Json& numbers, const std::string& which) const {
-    if (!numbers.is_array() || numbers.size() != 3) fail("has no three numbers as " + which);
-    Vec3 place;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      if (!numbers[axis].is_number()) fail("has no three numbers as " + which);
-      place[static_cast<Eigen::Index>(axis)] = numbers[axis].get<double>();
-    }
-    if (!place.allFinite()) fail("has no place as " + which);
-    return place;
-  }
-
-  GivenFissure plane(const std::string& name, const Json& entry) const {
-    if (!entry.is_object() || !entry.contains("point") || !entry.contains("normal")) {
-      fail("has no \"point\" and \"normal\" under the plane of \"" + name + "\"");
-    }
-    FissurePlane plane{place(entry["point"], "point of the plane of \"" + name + "\""),
-                       place(entry["normal"], "normal of the plane of \"" + name + "\"")};
-    if (!(plane.normal.norm() > 0.0)) fail("has a normal without length for \"" + name + "\"");
-    return {{}, {}, plane};
-  }
-
-  GivenFissure points(const std::string& name, const Json& entry) const {
-    if (!entry.contains("points") || !entry["points"].is_array()) {
-      fail("has no array \"points\" under \"" + name + "\"");
-    }
-    GivenFissure set;
-    for (const Json& point : entry["points"]) {
-      const std::string which =
-          "point " + std::to_string(set.points.size() + 1) + " of \"" + name + "\"";
-      set.points.push_back(place(point, which));
-    }
-    if (!entry.contains("weights")) return set;
-    if (!entry["weights"].is_array() || entry["weights"].size() != set.points.size()) {
-      fail("has other than one weight for each point of \"" + name + "\"");
-    }
-    for (const Json& weight : entry["weights"]) {
-      if (!weight.is_number() || !(weight.get<double>() > 0.0)) {
-        fail("has a weight of \"" + name + "\" that is no positive number");
-      }
-      set.weights.push_back(weight.get<double>());
-    }
-    return set;
-  }
-
-  const std::filesystem::path& path_;
-};
-
-GivenFissures readCipCsv(const std::filesystem::path& path, const std::string& text) {
-  std::istringstream lines(text);
-  std::string line;
-  std::getline(lines, line);  // the columns' names, which differ from file to file
-  GivenFissures sets;
-  for (std::size_t number = 2; std::getline(lines, line); ++number) {
-    std::vector<std::string> fields;
-    std::istringstream row(line);
-    for (std::string field; std::getline(row, field, ',');) fields.emplace_back(trimmed(field));
-    if (fields.empty() || (fields.size() == 1 && fields[0].empty())) continue;
-    if (fields.size() != 5) {
-      throw InvalidInput(quoted(path) + " has " + std::to_string(fields.size()) +
-                         " fields in line " + std::to_string(number) +
-                         "; region, type, x, y and z are needed");
-    }
-    const bool right = fields[0] == "RIGHTLUNG";
-    const bool left = fields[0] == "LEFTLUNG";
-    std::optional<Fissure> fissure;
-    if (right && fields[1] == "HORIZONTALFISSURE") fissure = Fissure::RightHorizontal;
-    if (right && fields[1] == "OBLIQUEFISSURE") fissure = Fissure::RightOblique;
-    if (left && fields[1] == "OBLIQUEFISSURE") fissure = Fissure::LeftOblique;
-    if (!fissure) continue;
-    Vec3 place;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const std::optional<double> value = parseDouble(fields[axis + 2]);
-      if (!value || !std::isfinite(*value)) {
-        throw InvalidInput(quoted(path) + " has no number in line " + std::to_string(number) +
-                           ": '" + fields[axis + 2] + "'");
-      }
-      place[static_cast<Eigen::Index>(axis)] = *value;
-    }
-    sets[*fissure].points.push_back(place);
-  }
-  if (sets.empty()) throw InvalidInput(quoted(path) + " holds no points of fissures");
-  return sets;
 }
 
 }  // namespace
 
-GivenFissures readFissures(const std::filesystem::path& path) {
+FissureFile readFissureFile(const std::filesystem::path& path) {
   const std::string text = readFile(path, MostBytes);
   const std::string extension = lowerCase(path.extension().string());
-  if (extension == ".json") return JsonFissures(path).read(text);
-  if (extension == ".csv") return readCipCsv(path, text);
+  if (extension == ".json") {
+    const Json json = parsed(path, text);
+    const bool markups = isMarkupsName(path) || isMarkups(json);
+    return markups ? FissureFile{fissuresOfMarkups(path, json), {}} : fissuresOfJson(path, json);
+  }
+  if (extension == ".fcsv") return {fissuresOfFcsv(path, text), {}};
+  if (extension == ".csv") return {fissuresOfCipCsv(path, text), {}};
   throw Unsupported(quoted(path) +
-                    " cannot be read as points of fissures; give .json (pneuma/fissures/1) or .csv "
-                    "(of the Chest Imaging Platform)");
+                    " cannot be read as points of fissures; give .json (pneuma/fissures/1), "
+                    ".mrk.json or .fcsv (3D Slicer), or .csv (Chest Imaging Platform)");
 }
 
-void writeFissures(const std::filesystem::path& path, const GivenFissures& fissures) {
-  Json json = {{"schema", Schema}, {"space", "LPS"}, {"units", "mm"}, {"fissures", Json::object()}};
-  for (const auto& [fissure, set] : fissures) {
-    Json& entry = json["fissures"][std::string(shortName(fissure))];
-    if (set.plane) {
-      const auto& [point, normal] = *set.plane;
-      entry["plane"] = {{"point", {point.x(), point.y(), point.z()}},
-                        {"normal", {normal.x(), normal.y(), normal.z()}}};
-      continue;
-    }
-    entry["points"] = Json::array();
-    for (const Vec3& p : set.points) entry["points"].push_back({p.x(), p.y(), p.z()});
-    if (!set.weights.empty()) entry["weights"] = set.weights;
+GivenFissures readFissures(const std::filesystem::path& path) {
+  return readFissureFile(path).fissures;
+}
+
+GivenFissures readPlanes(const std::filesystem::path& path) {
+  const FissureFile file = readFissureFile(path);
+  if (!file.accessory.empty()) {
+    throw InvalidInput(quoted(path) + " has accessory fissures; they are taken by --fissures");
   }
-  writeFile(path, json.dump(2) + "\n");
+  for (const auto& [fissure, given] : file.fissures) {
+    if (given.plane) continue;
+    throw InvalidInput(quoted(path) + " gives no plane for the " + std::string(longName(fissure)) +
+                       " but " +
+                       (given.equation ? "an equation"
+                        : given.patch  ? "a surface"
+                                       : "points") +
+                       "; what is no plane is taken by --fissures");
+  }
+  return file.fissures;
+}
+
+std::vector<std::filesystem::path> patchFiles(const FissureFile& file) {
+  std::vector<std::filesystem::path> files;
+  const auto add = [&](const GivenFissure& given) {
+    if (given.patch) files.push_back(given.patch->file);
+  };
+  for (const auto& [fissure, given] : file.fissures) add(given);
+  for (const AccessoryFissure& accessory : file.accessory) add(accessory.fissure);
+  return files;
+}
+
+void writeFissures(const std::filesystem::path& path, const GivenFissures& fissures,
+                   const std::vector<AccessoryFissure>& accessory) {
+  const std::string extension = lowerCase(path.extension().string());
+  if (extension == ".json" && !isMarkupsName(path)) {
+    writeFile(path, fissureJsonText({fissures, accessory}, path.parent_path()));
+    return;
+  }
+  requireFissureFileName(path);
+  requirePointsOnly(path, fissures);
+  if (!accessory.empty()) {
+    throw Unsupported(quoted(path) + " cannot tell of accessory fissures; write .json instead");
+  }
+  writeFile(path, extension == ".json"   ? markupsText(fissures)
+                  : extension == ".fcsv" ? fcsvText(fissures)
+                                         : cipCsvText(fissures));
+}
+
+void requireFissureFileName(const std::filesystem::path& path) {
+  const std::string extension = lowerCase(path.extension().string());
+  if (extension == ".json" || extension == ".fcsv" || extension == ".csv") return;
+  throw Unsupported("fissures cannot be written as " + quoted(path) +
+                    "; take .json, .mrk.json, .fcsv or .csv");
 }
 
 }  // namespace pneuma

@@ -108,17 +108,6 @@ FissureContact withMean(FissureContact contact) {
   return contact;
 }
 
-/// The contacts of a lobe with two others, as one.
-FissureContact together(FissureContact a, const FissureContact& b) {
-  a.gapMeanMm = a.gapMeanMm * a.areaMm2 + b.gapMeanMm * b.areaMm2;
-  a.points.insert(a.points.end(), b.points.begin(), b.points.end());
-  a.areasMm2.insert(a.areasMm2.end(), b.areasMm2.begin(), b.areasMm2.end());
-  a.areaMm2 += b.areaMm2;
-  a.gapLargestMm = std::max(a.gapLargestMm, b.gapLargestMm);
-  a.shared = a.shared && b.shared;
-  return withMean(std::move(a));
-}
-
 void requireEnough(const FissureContact& contact, std::size_t n) {
   if (n <= contact.points.size()) return;
   throw InvalidInput("the lobes touch in " + std::to_string(contact.points.size()) +
@@ -174,13 +163,23 @@ FissureContact contactBetween(const TriangleMesh& below, const TriangleMesh& abo
   return withMean(std::move(most ? shared : facing));
 }
 
+FissureContact joined(FissureContact a, const FissureContact& b) {
+  a.gapMeanMm = a.gapMeanMm * a.areaMm2 + b.gapMeanMm * b.areaMm2;
+  a.points.insert(a.points.end(), b.points.begin(), b.points.end());
+  a.areasMm2.insert(a.areasMm2.end(), b.areasMm2.begin(), b.areasMm2.end());
+  a.areaMm2 += b.areaMm2;
+  a.gapLargestMm = std::max(a.gapLargestMm, b.gapLargestMm);
+  a.shared = a.shared && b.shared;
+  return withMean(std::move(a));
+}
+
 FissureContact fissureContact(Fissure fissure, const std::map<Lobe, TriangleMesh>& lobes) {
   FissureContact contact;
   bool first = true;
   for (const auto& [below, above] : lobesBeside(fissure)) {
     if (!lobes.contains(below) || !lobes.contains(above)) return {};
     FissureContact part = contactBetween(lobes.at(below), lobes.at(above));
-    contact = first ? std::move(part) : together(std::move(contact), part);
+    contact = first ? std::move(part) : joined(std::move(contact), part);
     first = false;
   }
   return contact;

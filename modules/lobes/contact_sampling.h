@@ -30,6 +30,9 @@ std::vector<std::pair<Lobe, Lobe>> lobesBeside(Fissure fissure);
 /// the second, the surfaces facing each other there. Empty if they do not touch.
 FissureContact contactBetween(const TriangleMesh& below, const TriangleMesh& above);
 
+/// The contacts of a lobe with two others as one.
+FissureContact joined(FissureContact a, const FissureContact& b);
+
 /// The true fissure of lobes that touch.
 /// @return nothing upon it if a lobe beside the fissure is missing
 FissureContact fissureContact(Fissure fissure, const std::map<Lobe, TriangleMesh>& lobes);

@@ -95,7 +95,7 @@ BestPlane bestPlane(std::span<const Vec3> points, std::span<const double> weight
     throw InvalidInput("the points of a fissure lie on one line; set one beside it");
   }
   plane.axes[2] = spread.eigenvectors().col(0);
-  if (plane.axes[2].dot(Vec3(0.0, -0.7, 1.0)) < 0.0) plane.axes[2] = -plane.axes[2];
+  if (plane.axes[2].dot(AboveFissures) < 0.0) plane.axes[2] = -plane.axes[2];
   plane.axes[0] = spread.eigenvectors().col(2);
   plane.axes[1] = plane.axes[2].cross(plane.axes[0]);
   plane.scale = std::sqrt(values.sum());

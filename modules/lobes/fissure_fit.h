@@ -9,6 +9,9 @@
 
 namespace pneuma {
 
+/// What is above a fissure lies to this side of it, up and to the front, LPS.
+inline const Vec3 AboveFissures(0.0, -0.7, 1.0);
+
 struct FissureFitOptions {
   double smoothness = 0.01;
 

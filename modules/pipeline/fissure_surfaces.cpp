@@ -1,11 +1,16 @@
 #include "pipeline/fissure_surfaces.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
+#include <span>
 
 #include "core/error.h"
+#include "geometry/surface_domain.h"
 #include "lobes/fissure_fit.h"
 #include "lobes/fissure_proposal.h"
+#include "lobes/patch_surface.h"
 #include "pipeline/figure_table.h"
 
 namespace pneuma {
@@ -13,7 +18,9 @@ namespace {
 
 constexpr std::size_t PointsOfTheirOwn = 6;  ///< from which the proposal does harm
 constexpr double FarMm = 30.0;               ///< beyond a lung's box points are another's
+constexpr double RimToleranceMm = 1.0;  ///< that a surface from a file may miss the lung's wall by
 constexpr double SuspectMm = 8.0;
+constexpr double LeastUpward = 0.05;  ///< of a plane's normal along what is above
 constexpr double SuspectTimes = 3.0;  ///< the mean of the others
 
 std::string boxText(const Box3& box) {
@@ -21,40 +28,57 @@ std::string boxText(const Box3& box) {
   return axis(0) + ", " + axis(1) + ", " + axis(2) + " mm";
 }
 
-void requireNear(const GivenFissure& set, const TriangleMesh& lung, Fissure fissure) {
-  const Box3 box = bounds(lung);
+/// Where a fissure is to lie.
+struct FissurePlace {
+  const TriangleMesh& region;
+  std::string regionName;  ///< "lung", "lobe"
+  std::string what;        ///< the fissure's name in sentences
+  std::optional<HeightSurface> proposal;
+  const HeightSurface* floor = nullptr;  ///< the fissure that ends this one below, or null
+};
+
+void requireNear(std::span<const Vec3> points, const FissurePlace& place) {
+  const Box3 box = bounds(place.region);
   Box3 wide = box;
   wide.min().array() -= FarMm;
   wide.max().array() += FarMm;
   Box3 ofPoints;
   bool outside = false;
-  for (const Vec3& p : set.points) {
+  for (const Vec3& p : points) {
     ofPoints.extend(p);
     outside = outside || !wide.contains(p);
   }
   if (!outside) return;
-  throw InvalidInput("points of the " + std::string(longName(fissure)) +
-                     " lie far from the lung: they take " + boxText(ofPoints) + ", the lung " +
+  throw InvalidInput("points of the " + place.what + " lie far from the " + place.regionName +
+                     ": they take " + boxText(ofPoints) + ", the " + place.regionName + " " +
                      boxText(box) + "; check that both are in LPS and mm, and of one person");
 }
 
 /// Says which points stand out, for people to look at; none is dropped.
-void warnOfSuspects(const UsedFissure& used, Fissure fissure, std::vector<std::string>& warnings) {
+void warnOfSuspects(const UsedFissure& used, const std::string& what,
+                    std::vector<std::string>& warnings) {
   const double sum = std::accumulate(used.leftOutMm.begin(), used.leftOutMm.end(), 0.0);
   for (std::size_t i = 0; i < used.leftOutMm.size(); ++i) {
     const double others =
         (sum - used.leftOutMm[i]) / static_cast<double>(used.leftOutMm.size() - 1);
     if (used.leftOutMm[i] < SuspectMm || used.leftOutMm[i] < SuspectTimes * others) continue;
-    warnings.push_back("point " + std::to_string(i + 1) + " of the " +
-                       std::string(longName(fissure)) + " lies " + fixed(used.leftOutMm[i], 1) +
+    warnings.push_back("point " + std::to_string(i + 1) + " of the " + what + " lies " +
+                       fixed(used.leftOutMm[i], 1) +
                        " mm from where the others put it; look at it");
   }
 }
 
-HeightSurface surfaceOf(const FissurePlane& plane) {
+HeightSurface surfaceOf(const FissurePlane& plane, const FissurePlace& place) {
   HeightSurface surface;
   surface.centre = plane.point;
-  const Vec3 normal = plane.normal.normalized();
+  Vec3 normal = plane.normal.normalized();
+  const double upward = normal.dot(AboveFissures.normalized());
+  // Lobes are above or below their fissures; what an accessory one parts may be side by side.
+  if (std::abs(upward) < LeastUpward && place.proposal) {
+    throw InvalidInput("the plane of the " + place.what +
+                       " stands so that neither side of it is the upper and front one; turn it");
+  }
+  if (upward < 0.0) normal = -normal;
   // Any two axes across the normal do; the least of its components gives a steady choice.
   Eigen::Index least = 0;
   normal.cwiseAbs().minCoeff(&least);
@@ -63,31 +87,64 @@ HeightSurface surfaceOf(const FissurePlane& plane) {
   return surface;
 }
 
-UsedFissure usedFissure(Fissure fissure, const TriangleMesh& lung, const LungBox& box,
-                        const GivenFissures& all, const LobeOptions& options,
-                        std::vector<std::string>& warnings) {
-  UsedFissure used;
-  const auto found = all.find(fissure);
-  if (found != all.end() && found->second.plane) {
-    used.source = FissureSource::Plane;
-    used.surface = surfaceOf(*found->second.plane);
-    return used;
+HeightSurface surfaceOf(const FissureEquation& equation) {
+  HeightSurface surface;  // z over x and y, as the equation has it
+  surface.centre = equation.origin;
+  surface.quadratic = equation.coefficients;
+  return surface;
+}
+
+UsedFissure usedPatch(const FissurePatch& patch, const FissurePlace& place, double extendMm,
+                      std::vector<std::string>& warnings) {
+  warnings.insert(warnings.end(), patch.notes.begin(), patch.notes.end());
+  requireNear(patch.mesh->points, place);
+  const std::string what = "surface of the " + place.what;
+  const PatchFit fit = fitPatch(*patch.mesh, what);
+  const RimPlace rim = deepestRim(*patch.mesh, SurfaceDomain(place.region), place.floor);
+  if (rim.depthMm > RimToleranceMm + extendMm) {
+    throw InvalidInput(
+        "the " + what + " ends inside the " + place.regionName + ": at (" +
+        fixed(rim.place.x(), 1) + ", " + fixed(rim.place.y(), 1) + ", " + fixed(rim.place.z(), 1) +
+        ") mm its edge lies " + fixed(rim.depthMm, 1) +
+        " mm from the wall; extend it, or allow that far by 'extend', 15 mm at most");
   }
-  used.surface = proposedFissure(fissure, box);
-  if (found == all.end()) return used;
-  const GivenFissure& given = found->second;
-  requireNear(given, lung, fissure);
+  UsedFissure used;
+  used.source = FissureSource::Surface;
+  used.surface = fit.surface;
+  used.points = fit.knots;
+  used.meanMm = fit.meanMm;
+  used.largestMm = fit.largestMm;
+  return used;
+}
+
+UsedFissure usedPoints(const GivenFissure& given, const FissurePlace& place,
+                       const LobeOptions& options, std::vector<std::string>& warnings) {
+  requireNear(given.points, place);
   const FissureFitOptions fit{.smoothness = options.smoothness};
-  const bool alone = given.points.size() >= PointsOfTheirOwn;
+  const bool many = given.points.size() >= PointsOfTheirOwn;
+  const bool alone = many || !place.proposal;
+  UsedFissure used;
   used.source = alone ? FissureSource::Points : FissureSource::BentProposal;
   used.surface = alone ? fitFissure(given.points, fit, given.weights)
-                       : bentThrough(used.surface, given.points, fit, given.weights);
+                       : bentThrough(*place.proposal, given.points, fit, given.weights);
   used.points = given.points.size();
-  if (alone) used.leftOutMm = leaveOneOut(given.points, fit);
+  if (many) used.leftOutMm = leaveOneOut(given.points, fit);
   for (const Vec3& p : given.points) {
-    used.meanMm += std::abs(used.surface.distance(p)) / static_cast<double>(used.points);
+    const double away = std::abs(used.surface.distance(p));
+    used.meanMm += away / static_cast<double>(used.points);
+    used.largestMm = std::max(used.largestMm, away);
   }
-  warnOfSuspects(used, fissure, warnings);
+  warnOfSuspects(used, place.what, warnings);
+  return used;
+}
+
+UsedFissure usedFissure(const GivenFissure& given, const FissurePlace& place,
+                        const LobeOptions& options, std::vector<std::string>& warnings) {
+  if (given.patch) return usedPatch(*given.patch, place, options.extendMm, warnings);
+  if (!given.plane && !given.equation) return usedPoints(given, place, options, warnings);
+  UsedFissure used;
+  used.source = given.plane ? FissureSource::Plane : FissureSource::Equation;
+  used.surface = given.plane ? surfaceOf(*given.plane, place) : surfaceOf(*given.equation);
   return used;
 }
 
@@ -98,9 +155,24 @@ UsedFissures fissureSurfaces(const TriangleMesh& lung, Side side, const GivenFis
   const LungBox box = lungBox(lung);
   UsedFissures used;
   for (const Fissure fissure : fissuresOf(side)) {
-    used[fissure] = usedFissure(fissure, lung, box, given, options, warnings);
+    // The horizontal fissure ends at the oblique one, which comes first.
+    const HeightSurface* floor = used.empty() ? nullptr : &used.begin()->second.surface;
+    const FissurePlace place{lung, "lung", std::string(longName(fissure)),
+                             proposedFissure(fissure, box), floor};
+    const auto found = given.find(fissure);
+    if (found != given.end()) {
+      used[fissure] = usedFissure(found->second, place, options, warnings);
+    } else {
+      used[fissure].surface = *place.proposal;
+    }
   }
   return used;
+}
+
+UsedFissure accessorySurface(const AccessoryFissure& fissure, const TriangleMesh& lobe,
+                             const LobeOptions& options, std::vector<std::string>& warnings) {
+  const FissurePlace place{lobe, "lobe", "accessory fissure " + fissure.name, {}, nullptr};
+  return usedFissure(fissure.fissure, place, options, warnings);
 }
 
 }  // namespace pneuma

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <tuple>
@@ -17,6 +18,7 @@ namespace pneuma {
 struct LobeOptions {
   double smoothness = 0.01;
   double capSpacingMm = 2.5;
+  double extendMm = 0.0;
 
   static constexpr auto fields() {
     return std::tuple{
@@ -24,6 +26,9 @@ struct LobeOptions {
               "How far a fissure may leave its points to bend less; 0 goes through all of them."},
         Field{"spacing", &LobeOptions::capSpacingMm, "mm", Range{0.5, 20.0},
               "Size of the triangles between lobes."},
+        Field{"extend", &LobeOptions::extendMm, "mm", Range{0.0, 15.0},
+              "How far a fissure's surface from a file may end before the lung's wall; it goes on "
+              "smoothly."},
     };
   }
 
@@ -31,11 +36,11 @@ struct LobeOptions {
 };
 
 /// Where a fissure comes from.
-enum class FissureSource { Proposal, BentProposal, Points, Plane };
+enum class FissureSource { Proposal, BentProposal, Points, Plane, Equation, Surface };
 
 constexpr auto choices(FissureSource) {
-  return std::array<std::string_view, 4>{"proposal", "proposal bent through points", "points",
-                                         "plane"};
+  return std::array<std::string_view, 6>{
+      "proposal", "proposal bent through points", "points", "plane", "equation", "surface"};
 }
 
 /// A fissure that is cut along.
@@ -43,8 +48,10 @@ struct UsedFissure {
   HeightSurface surface;
   FissureSource source = FissureSource::Proposal;
   std::size_t points = 0;
-  std::vector<double> leftOutMm;  ///< of each point, see leaveOneOut()
-  double meanMm = 0.0;            ///< mean distance of the points from the surface
+  std::vector<double> leftOutMm;   ///< of each point, see leaveOneOut()
+  double meanMm = 0.0;             ///< mean distance of the points from the surface
+  std::optional<double> coverage;  ///< share of it that its points enclose, see addCoverage()
+  double largestMm = 0.0;          ///< largest; of a surface from a file, of its points
 };
 
 using UsedFissures = std::map<Fissure, UsedFissure>;
@@ -54,8 +61,14 @@ using UsedFissures = std::map<Fissure, UsedFissure>;
 /// not given is the proposal. Takes milliseconds.
 /// @param lung closed, oriented outwards, LPS, mm
 /// @param warnings gets whole sentences, for example on points that stand out
-/// @throws InvalidInput if points lie far from the lung, and as fitFissure()
+/// @throws InvalidInput if points lie far from the lung, a plane stands upright so that neither
+/// side is above, a surface from a file ends inside the lung, and as fitFissure() and fitPatch()
 UsedFissures fissureSurfaces(const TriangleMesh& lung, Side side, const GivenFissures& given,
+                             const LobeOptions& options, std::vector<std::string>& warnings);
+
+/// The surface of one more fissure in a lobe. There is no proposal: points alone make it.
+/// @throws as fissureSurfaces()
+UsedFissure accessorySurface(const AccessoryFissure& fissure, const TriangleMesh& lobe,
                              const LobeOptions& options, std::vector<std::string>& warnings);
 
 }  // namespace pneuma

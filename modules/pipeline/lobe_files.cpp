@@ -20,7 +20,7 @@ std::filesystem::path patchFile(Fissure fissure) {
   return std::filesystem::path("fissures") / (std::string(shortName(fissure)) + ".vtp");
 }
 
-std::vector<std::filesystem::path> lobeOutputs(const LungModel& model, bool points) {
+std::vector<std::filesystem::path> lobeOutputs(const LungModel& model, const LobeInputs& inputs) {
   std::vector<std::filesystem::path> files;
   for (const LobeSurface& surface : *model.surfaces) {
     if (surface.lobe != Lobe::RightLung && surface.lobe != Lobe::LeftLung) continue;
@@ -31,12 +31,13 @@ std::vector<std::filesystem::path> lobeOutputs(const LungModel& model, bool poin
   for (const char* name : {LobesTogetherFile, LobeLabelsFile, LobesReportFile}) {
     files.emplace_back(name);
   }
-  if (points) files.emplace_back(FissurePointsFile);
+  if (!inputs.given.empty() || !inputs.accessory.empty()) files.emplace_back(FissurePointsFile);
+  for (const auto& part : partedLobeFiles(inputs.accessory)) files.push_back(part);
   return files;
 }
 
 void writeLobes(const std::filesystem::path& folder, const LobesOfLungs& lobes,
-                const LabelImage& labels, const GivenFissures& given, const Json& report,
+                const LabelImage& labels, const LobeInputs& inputs, const Json& report,
                 const Progress& progress) {
   std::vector<Block> blocks;
   for (const SplitLung& lung : lobes.lungs) {
@@ -56,7 +57,10 @@ void writeLobes(const std::filesystem::path& folder, const LobesOfLungs& lobes,
   }
   writeMultiblock(folder / LobesTogetherFile, blocks);
   writeVolume(folder / LobeLabelsFile, labels, Existing::Replace, progress);
-  if (!given.empty()) writeFissures(folder / FissurePointsFile, given);
+  writePartedLobes(folder, lobes.parted);
+  if (!inputs.given.empty() || !inputs.accessory.empty()) {
+    writeFissures(folder / FissurePointsFile, inputs.given, inputs.accessory);
+  }
   writeFile(folder / LobesReportFile, report.dump(2) + "\n");
 }
 

@@ -25,14 +25,13 @@ std::filesystem::path patchFile(Fissure fissure);
 TriangleMesh patchOf(const SplitLung& lung, Fissure fissure);
 
 /// What writeLobes() writes for a model, relative to the folder.
-/// @param points whether fissures were given
-std::vector<std::filesystem::path> lobeOutputs(const LungModel& model, bool points);
+std::vector<std::filesystem::path> lobeOutputs(const LungModel& model, const LobeInputs& inputs);
 
 /// Writes lobes, fissures, labels and the report into a folder, and the fissures that were given.
-/// @pre the folder and "fissures" in it are there
+/// @pre the folders of lobeOutputs() are there
 /// @throws OutputFailed, Cancelled: what was written before stays
 void writeLobes(const std::filesystem::path& folder, const LobesOfLungs& lobes,
-                const LabelImage& labels, const GivenFissures& given, const Json& report,
+                const LabelImage& labels, const LobeInputs& inputs, const Json& report,
                 const Progress& progress = {});
 
 }  // namespace pneuma

@@ -44,11 +44,10 @@ Json lobesReport(const LungModel& model, const LobesOfLungs& lobes, const LobeOp
     for (Json& contact : contactsOf(lung)) report["contacts"].push_back(std::move(contact));
   }
   for (const auto& [fissure, used] : lobes.fissures) {
-    Json entry = {{"fissure", shortName(fissure)},
-                  {"source", textOf(used.source)},
-                  {"points", used.points},
-                  {"mean_mm", used.meanMm},
-                  {"left_out_mm", used.leftOutMm}};
+    Json entry = {{"fissure", shortName(fissure)}, {"source", textOf(used.source)},
+                  {"points", used.points},         {"mean_mm", used.meanMm},
+                  {"largest_mm", used.largestMm},  {"left_out_mm", used.leftOutMm}};
+    if (used.coverage) entry["coverage"] = *used.coverage;
     for (const SplitLung& lung : lobes.lungs) {
       const auto found = lung.reports.find(fissure);
       if (found == lung.reports.end()) continue;
@@ -72,6 +71,7 @@ Json lobesReport(const LungModel& model, const LobesOfLungs& lobes, const LobeOp
     }
   }
   report["checks"] = toJson(checks);
+  addPartedLobes(report, lobes.parted);
   report["warnings"] = model.warnings;
   for (const std::string& warning : lobes.warnings) report["warnings"].push_back(warning);
   report["peak_memory_mb"] = peakMemoryMb();

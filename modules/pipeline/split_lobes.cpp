@@ -7,6 +7,7 @@
 #include "core/units.h"
 #include "geometry/mesh_topology.h"
 #include "pipeline/figure_table.h"
+#include "pipeline/fissure_coverage.h"
 
 namespace pneuma {
 namespace {
@@ -99,6 +100,7 @@ void splitOne(const LobeSurface& lung, const LobeInputs& inputs, const LobeOptio
     shape.genus = genusOf(mesh, health);
     shape.areaMm2 = areaMm2(mesh);
   }
+  addCoverage(result.fissures, split, inputs.given, result.warnings);
   result.lungs.push_back(std::move(split));
 }
 
@@ -131,6 +133,7 @@ LobesOfLungs splitLobes(const LungModel& model, const LobeInputs& inputs,
         "--surfaces' does");
   }
   warnOfShares(result);
+  result.parted = partedLobes(result.lungs, inputs.accessory, options, result.warnings);
   progress.report(1.0);
   return result;
 }

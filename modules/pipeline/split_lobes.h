@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "io/json.h"
+#include "pipeline/accessory_fissures.h"
 #include "pipeline/fissure_surfaces.h"
 #include "pipeline/lung_model.h"
 
@@ -24,19 +25,21 @@ struct LobesOfLungs {
   std::map<Side, double> lungMm3;
   std::map<Lobe, double> lobeMm3;
   std::map<Lobe, LobeShape> shapes;
+  std::vector<PartedLobe> parted;     ///< along accessory fissures
   std::vector<std::string> warnings;  ///< whole sentences
 };
 
 /// What the lobes are made with.
 struct LobeInputs {
-  GivenFissures given;                ///< the others are proposed
+  GivenFissures given;  ///< the others are proposed
+  std::vector<AccessoryFissure> accessory;
   std::map<Side, LobeShares> shares;  ///< of lungs whose fissures are moved to wanted volumes
 };
 
 /// Splits whole lungs into lobes along fissureSurfaces().
 /// @param model with surfaces of the right lung, the left one or both
 /// @throws InvalidInput if there is no lung, one is not fit to be split, and as
-/// fissureSurfaces(), splitLung() and withShares(); Cancelled
+/// fissureSurfaces(), splitLung(), withShares() and partedLobes(); Cancelled
 LobesOfLungs splitLobes(const LungModel& model, const LobeInputs& inputs,
                         const LobeOptions& options = {}, const Progress& progress = {});
 

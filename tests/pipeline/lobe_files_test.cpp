@@ -67,8 +67,8 @@ class LobeFilesTest : public ::testing::Test {
   LobesOfLungs makeLobes() const {
     const LungModel model = lungs();
     const LobesOfLungs lobes = splitLobes(model, {});
-    writeLobes(folder_, lobes, lobeLabels(lungLabels(model, 2.0), lobes), {},
-               lobesReport(model, lobes, {}));
+    pneuma::writeLobes(folder_, lobes, lobeLabels(lungLabels(model, 2.0), lobes), {},
+                       lobesReport(model, lobes, {}));
     return lobes;
   }
 

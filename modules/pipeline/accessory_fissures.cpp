@@ -1,0 +1,116 @@
+#include "pipeline/accessory_fissures.h"
+
+#include <cmath>
+
+#include "core/error.h"
+#include "core/units.h"
+#include "geometry/mesh_topology.h"
+#include "io/surface_file.h"
+
+namespace pneuma {
+namespace {
+
+constexpr RegionId Below = 1;
+constexpr RegionId Above = 2;
+constexpr double MostPartitionError = 1e-12;
+
+TriangleMesh lobeSurface(const std::vector<SplitLung>& lungs, const AccessoryFissure& fissure) {
+  for (const SplitLung& lung : lungs) {
+    if (lung.side != side(fissure.lobe)) continue;
+    return surfaceOf(lung.complex, static_cast<RegionId>(fissure.lobe)).mesh;
+  }
+  throw InvalidInput("the accessory fissure " + fissure.name + " parts the " +
+                     std::string(longName(fissure.lobe)) + ", but there is no such lung to split");
+}
+
+PartedLobe parted(const TriangleMesh& lobe, const AccessoryFissure& fissure,
+                  const LobeOptions& options, std::vector<std::string>& warnings,
+                  const Progress& progress) {
+  PartedLobe result;
+  result.name = fissure.name;
+  result.lobe = fissure.lobe;
+  result.used = accessorySurface(fissure, lobe, options, warnings);
+  RegionComplex complex = complexOf(lobe, Below);
+  result.lobeMm3 = volumeMm3(complex, Below);
+  result.report = splitRegion(
+      complex, result.used.surface,
+      {.region = Below, .below = Below, .above = Above, .capSpacingMm = options.capSpacingMm},
+      "accessory fissure " + fissure.name, progress);
+  result.below = surfaceOf(complex, Below).mesh;
+  result.above = surfaceOf(complex, Above).mesh;
+  result.patch = contactOf(complex, Below, Above);
+  result.belowMm3 = volumeMm3(complex, Below);
+  result.aboveMm3 = volumeMm3(complex, Above);
+  return result;
+}
+
+std::filesystem::path partFile(const std::string& name, const char* part) {
+  return std::filesystem::path("accessory") / (name + "_" + part + ".vtp");
+}
+
+std::filesystem::path patchFile(const std::string& name) {
+  return std::filesystem::path("fissures") / (name + ".vtp");
+}
+
+std::size_t faultsOf(const TriangleMesh& mesh) {
+  const MeshTopology health = topology(mesh);
+  return health.openEdges + health.nonManifoldEdges + health.misorientedEdges +
+         health.nonManifoldVertices;
+}
+
+}  // namespace
+
+std::vector<PartedLobe> partedLobes(const std::vector<SplitLung>& lungs,
+                                    const std::vector<AccessoryFissure>& fissures,
+                                    const LobeOptions& options, std::vector<std::string>& warnings,
+                                    const Progress& progress) {
+  std::vector<PartedLobe> lobes;
+  for (const AccessoryFissure& fissure : fissures) {
+    progress.report(static_cast<double>(lobes.size()) / static_cast<double>(fissures.size()));
+    lobes.push_back(parted(lobeSurface(lungs, fissure), fissure, options, warnings, progress));
+  }
+  return lobes;
+}
+
+std::vector<std::filesystem::path> partedLobeFiles(const std::vector<AccessoryFissure>& fissures) {
+  std::vector<std::filesystem::path> files;
+  for (const AccessoryFissure& fissure : fissures) {
+    files.push_back(partFile(fissure.name, "below"));
+    files.push_back(partFile(fissure.name, "above"));
+    files.push_back(patchFile(fissure.name));
+  }
+  return files;
+}
+
+void writePartedLobes(const std::filesystem::path& folder, const std::vector<PartedLobe>& lobes) {
+  for (const PartedLobe& lobe : lobes) {
+    writeSurface(folder / partFile(lobe.name, "below"), lobe.below);
+    writeSurface(folder / partFile(lobe.name, "above"), lobe.above);
+    writeSurface(folder / patchFile(lobe.name), lobe.patch);
+  }
+}
+
+void addPartedLobes(Json& report, const std::vector<PartedLobe>& lobes) {
+  const auto check = [&](const std::string& id, double value, double limit) {
+    report["checks"].push_back(
+        {{"id", id}, {"value", value}, {"limit", limit}, {"ok", value <= limit}});
+  };
+  for (const PartedLobe& lobe : lobes) {
+    report["accessory"].push_back({{"name", lobe.name},
+                                   {"lobe", shortName(lobe.lobe)},
+                                   {"source", textOf(lobe.used.source)},
+                                   {"points", lobe.used.points},
+                                   {"mean_mm", lobe.used.meanMm},
+                                   {"largest_mm", lobe.used.largestMm},
+                                   {"left_out_mm", lobe.used.leftOutMm},
+                                   {"contact_cm2", lobe.report.contactMm2 / 100.0},
+                                   {"below_ml", millilitres(lobe.belowMm3)},
+                                   {"above_ml", millilitres(lobe.aboveMm3)}});
+    check("PARTITION-" + lobe.name, std::abs((lobe.belowMm3 + lobe.aboveMm3) / lobe.lobeMm3 - 1.0),
+          MostPartitionError);
+    check("CLOSED-" + lobe.name, static_cast<double>(faultsOf(lobe.below) + faultsOf(lobe.above)),
+          0.0);
+  }
+}
+
+}  // namespace pneuma
