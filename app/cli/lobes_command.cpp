@@ -5,10 +5,12 @@
 
 #include "cli/arguments.h"
 #include "cli/command.h"
+#include "cli/ct_report.h"
 #include "cli/files.h"
 #include "cli/text.h"
 #include "io/atomic_file.h"
 #include "io/surface_file.h"
+#include "pipeline/ct_model.h"
 #include "pipeline/report.h"
 #include "pipeline/split_lobes.h"
 
@@ -23,7 +25,11 @@ struct LobesArguments {
   std::vector<std::filesystem::path> lungs;
   std::filesystem::path fissures;
   std::string fractions;
+  std::filesystem::path ct;
+  std::filesystem::path labels;
+  bool snap = false;
   LobeOptions options;
+  SnapOptions snapOptions;
 };
 
 LobeShares sharesOf(const std::string& text, std::size_t count) {
@@ -63,29 +69,6 @@ std::string lobeFile(Lobe lobe) {
   return name + ".vtp";
 }
 
-/// The regions that a fissure lies between, below and above; the lower lobe has two neighbours.
-TriangleMesh patchOf(const SplitLung& lung, Fissure fissure) {
-  const auto contact = [&](Lobe behind, Lobe front) {
-    return contactOf(lung.complex, static_cast<RegionId>(behind), static_cast<RegionId>(front));
-  };
-  switch (fissure) {
-    case Fissure::RightHorizontal:
-      return contact(Lobe::RightMiddle, Lobe::RightUpper);
-    case Fissure::LeftOblique:
-      return contact(Lobe::LeftLower, Lobe::LeftUpper);
-    default:
-      break;
-  }
-  TriangleMesh mesh = contact(Lobe::RightLower, Lobe::RightMiddle);
-  const TriangleMesh other = contact(Lobe::RightLower, Lobe::RightUpper);
-  const auto first = static_cast<std::uint32_t>(mesh.points.size());
-  mesh.points.insert(mesh.points.end(), other.points.begin(), other.points.end());
-  for (const auto& [a, b, c] : other.triangles) {
-    mesh.triangles.push_back({a + first, b + first, c + first});
-  }
-  return mesh;
-}
-
 std::filesystem::path patchPath(const std::filesystem::path& folder, Fissure fissure) {
   return folder / PatchFolder / (std::string(shortName(fissure)) + ".vtp");
 }
@@ -117,7 +100,10 @@ void writeAll(const std::filesystem::path& folder, const std::vector<std::filesy
       progress.throwIfStopped();
     }
     for (const Fissure fissure : fissuresOf(lung.side)) {
-      writeSurface(patchPath(folder, fissure), patchOf(lung, fissure));
+      TriangleMarks marks;
+      const auto complete = lobes.complete.find(fissure);
+      if (complete != lobes.complete.end()) marks["on_fissure"] = complete->second.onSheet;
+      writeSurface(patchPath(folder, fissure), fissurePatch(lung, fissure), {}, marks);
       progress.throwIfStopped();
     }
   }
@@ -126,14 +112,34 @@ void writeAll(const std::filesystem::path& folder, const std::vector<std::filesy
   outputs.keep();
 }
 
+LungModel openedCt(const LobesArguments& arguments, const Progress& progress) {
+  CtFile file = readCt(arguments.ct, {}, progress.part(0.0, 0.8, "reading the CT"));
+  if (arguments.snap) requireThinSlices(file.image);
+  const InputFile input = ctInput(arguments.ct, file, progress.part(0.8, 1.0, "hashing"));
+  LungModel model = modelOf(std::move(file), arguments.ct);
+  model.inputs = {input};
+  return model;
+}
+
 ExitCode runLobes(const LobesArguments& arguments, const CommonOptions& common,
                   const Progress& progress) {
   LobeInputs inputs;
   inputs.shares = fractionsOf(arguments.fractions);
+  if (arguments.snap) {
+    if (arguments.ct.empty()) throw InvalidOption("--snap needs the CT of these lungs: --ct");
+    if (!inputs.shares.empty()) {
+      throw InvalidOption("--fractions would move the fissures off what --snap finds; leave one");
+    }
+    inputs.snap = arguments.snapOptions;
+  }
   requireFolderOutput(common.output);
   if (!arguments.fissures.empty()) inputs.given = readFissures(arguments.fissures);
-  LungModel model = openLobes(arguments.lungs, progress.part(0.0, 0.3, "reading surfaces"));
+  LungModel model = openLobes(arguments.lungs, progress.part(0.0, 0.1, "reading surfaces"));
   if (!arguments.fissures.empty()) model.inputs.push_back(inputFile(arguments.fissures));
+  if (!arguments.ct.empty()) {
+    const LungModel ct = openedCt(arguments, progress.part(0.1, 0.2, "reading the CT"));
+    model = withCt(model, ct, arguments.labels, progress.part(0.2, 0.4, "finding lungs"));
+  }
   const std::vector<std::filesystem::path> paths =
       outputsOf(common.output, model, !inputs.given.empty());
   for (const auto& path : paths) {
@@ -142,11 +148,14 @@ ExitCode runLobes(const LobesArguments& arguments, const CommonOptions& common,
       requireOutput(path, common.existing());
     }
     requireOtherThanInputs(path, arguments.lungs);
-    requireOtherThanInputs(path, {&arguments.fissures, 1});
+    for (const auto* input : {&arguments.fissures, &arguments.ct, &arguments.labels}) {
+      requireOtherThanInputs(path, {input, 1});
+    }
   }
   const LobesOfLungs lobes =
-      splitLobes(model, inputs, arguments.options, progress.part(0.3, 0.9, "splitting lungs"));
-  const Json report = lobesReport(model, lobes, arguments.options);
+      splitLobes(model, inputs, arguments.options, progress.part(0.4, 0.9, "splitting lungs"));
+  Json report = lobesReport(model, lobes, arguments.options);
+  if (arguments.snap) report["parameters"].update(toJson(arguments.snapOptions));
   writeAll(common.output, paths, lobes, inputs, report, progress.part(0.9, 1.0, "writing"));
   progress.report(1.0);
   if (!common.quiet) printWarnings(report.at("warnings").get<std::vector<std::string>>());
@@ -175,7 +184,16 @@ Run declareLobes(CLI::App& app, CommonOptions& common) {
                  "Move the fissures until the lobes have these shares of their lung in percent, "
                  "RUL,RML,RLL[/LUL,LLL], or 'usual' for 40.5,12.9,46.6/50,50.")
       ->type_name("LIST");
+  app.add_option("--ct", arguments->ct,
+                 "The CT of these lungs, of slices up to 1.5 mm: tells how much of each fissure "
+                 "shows.")
+      ->type_name("CT");
+  app.add_option("--labels", arguments->labels,
+                 "Labels of the lungs in the CT, 10 right, 20 left; else they are found.")
+      ->type_name("FILE");
+  app.add_flag("--snap", arguments->snap, "Draw the fissures onto what shows of them in the CT.");
   addFields(app, arguments->options);
+  addFields(app, arguments->snapOptions);
   addOutput(app, common, "FOLDER",
             "The folder for rul.vtp, rml.vtp, rll.vtp, lul.vtp, lll.vtp, fissures/*.vtp and "
             "lobes.json: what 'pneuma grow' takes.")

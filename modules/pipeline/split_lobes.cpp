@@ -24,30 +24,56 @@ void requireFit(const LobeSurface& lung) {
                      "; mend it with 'pneuma repair'");
 }
 
-void splitOne(const LobeSurface& lung, const LobeInputs& inputs, const LobeOptions& options,
-              LobesOfLungs& result, const Progress& progress) {
+/// What shows of fissures in the model's CT; none without one that can show them.
+std::optional<SheetnessImage> sheetsFor(const LungModel& model, Side of, const LobeInputs& inputs,
+                                        const Progress& progress) {
+  if (inputs.snap) {
+    if (!model.ct || !model.labels) {
+      throw InvalidInput("fissures can be snapped only in a CT whose lungs were found; give one");
+    }
+    requireThinSlices(*model.ct);
+  }
+  if (!model.ct || !model.labels || !hasThinSlices(*model.ct)) return std::nullopt;
+  return fissureSheets(model, of, progress);
+}
+
+void splitOne(const LungModel& model, const LobeSurface& lung, const LobeInputs& inputs,
+              const LobeOptions& options, LobesOfLungs& result, const Progress& progress) {
   requireFit(lung);
   const Side of = side(lung.lobe);
+  const std::optional<SheetnessImage> sheets =
+      sheetsFor(model, of, inputs, progress.part(0.0, 0.2, "looking for fissures"));
+  UsedFissures found = fissureSurfaces(*lung.mesh, of, inputs.given, options, result.warnings);
+  if (inputs.snap) {
+    result.snapped.merge(snapFissures(found, *sheets, inputs.given, options, *inputs.snap,
+                                      result.warnings, progress.part(0.2, 0.4, "snapping")));
+  }
   FissureSurfaces surfaces;
-  for (auto& [fissure, used] :
-       fissureSurfaces(*lung.mesh, of, inputs.given, options, result.warnings)) {
+  for (auto& [fissure, used] : found) {
     surfaces[fissure] = used.surface;
     result.fissures[fissure] = std::move(used);
   }
   const auto shares = inputs.shares.find(of);
   if (shares != inputs.shares.end()) {
     surfaces = withShares(*lung.mesh, of, std::move(surfaces), shares->second, options.capSpacingMm,
-                          progress.part(0.0, 0.6, "moving fissures"));
+                          progress.part(0.4, 0.7, "moving fissures"));
     for (const auto& [fissure, surface] : surfaces) result.fissures[fissure].surface = surface;
   }
   SplitLung split = splitLung(*lung.mesh, of, surfaces, options.capSpacingMm,
-                              progress.part(0.6, 1.0, "cutting along fissures"));
+                              progress.part(0.7, 0.9, "cutting along fissures"));
   for (const auto& [fissure, report] : split.reports) {
     if (report.piecesJoined == 0) continue;
     result.warnings.push_back("the " + std::string(longName(fissure)) + " had cut " +
                               std::to_string(report.piecesJoined) + " pieces off, together " +
                               fixed(millilitres(report.joinedMm3), 2) +
                               " ml; they went to the lobe around them");
+  }
+  if (sheets) {
+    for (const Fissure fissure : fissuresOf(of)) {
+      result.complete[fissure] =
+          completeness(*sheets, fissurePatch(split, fissure), inputs.snap.value_or(SnapOptions{}),
+                       progress.part(0.9, 1.0, "looking at fissures"));
+    }
   }
   const auto whole = static_cast<RegionId>(lung.lobe);
   result.lungMm3[of] = volumeMm3(complexOf(*lung.mesh, whole), whole);
@@ -82,7 +108,13 @@ LobesOfLungs splitLobes(const LungModel& model, const LobeInputs& inputs,
       continue;
     }
     const double from = wanted == Lobe::RightLung ? 0.0 : 0.5;
-    splitOne(*lung, inputs, options, result, progress.part(from, from + 0.5, "splitting lungs"));
+    splitOne(model, *lung, inputs, options, result,
+             progress.part(from, from + 0.5, "splitting lungs"));
+  }
+  if (model.ct && !hasThinSlices(*model.ct)) {
+    result.warnings.push_back("how much of the fissures shows is not told: the CT's slices are " +
+                              fixed(model.ct->geometry.spacing.maxCoeff(), 2) +
+                              " mm apart, more than " + fixed(ThickestSliceMm, 1) + " mm");
   }
   if (result.lungs.empty()) {
     throw InvalidInput(
@@ -91,6 +123,28 @@ LobesOfLungs splitLobes(const LungModel& model, const LobeInputs& inputs,
   }
   progress.report(1.0);
   return result;
+}
+
+TriangleMesh fissurePatch(const SplitLung& lung, Fissure fissure) {
+  const auto contact = [&](Lobe behind, Lobe front) {
+    return contactOf(lung.complex, static_cast<RegionId>(behind), static_cast<RegionId>(front));
+  };
+  switch (fissure) {
+    case Fissure::RightHorizontal:
+      return contact(Lobe::RightMiddle, Lobe::RightUpper);
+    case Fissure::LeftOblique:
+      return contact(Lobe::LeftLower, Lobe::LeftUpper);
+    default:
+      break;
+  }
+  TriangleMesh mesh = contact(Lobe::RightLower, Lobe::RightMiddle);
+  const TriangleMesh other = contact(Lobe::RightLower, Lobe::RightUpper);
+  const auto first = static_cast<std::uint32_t>(mesh.points.size());
+  mesh.points.insert(mesh.points.end(), other.points.begin(), other.points.end());
+  for (const auto& [a, b, c] : other.triangles) {
+    mesh.triangles.push_back({a + first, b + first, c + first});
+  }
+  return mesh;
 }
 
 double partitionError(const LobesOfLungs& lobes, Side of) {
@@ -115,6 +169,16 @@ Json lobesReport(const LungModel& model, const LobesOfLungs& lobes, const LobeOp
                   {"points", used.points},
                   {"mean_mm", used.meanMm},
                   {"left_out_mm", used.leftOutMm}};
+    if (const auto known = lobes.complete.find(fissure); known != lobes.complete.end()) {
+      entry["completeness"] = known->second.share;
+    }
+    if (const auto known = lobes.snapped.find(fissure); known != lobes.snapped.end()) {
+      const auto& [points, before, after] = known->second;
+      entry["snapped"] = std::ranges::count(points.onSheet, 1);
+      entry["unsnapped"] = std::ranges::count(points.onSheet, 0);
+      entry["share_before"] = before;
+      entry["share_after"] = after;
+    }
     for (const SplitLung& lung : lobes.lungs) {
       const auto found = lung.reports.find(fissure);
       if (found == lung.reports.end()) continue;
@@ -153,11 +217,15 @@ std::string lobesText(const LobesOfLungs& lobes) {
   }
   std::string text = textTable(rows);
   rows = {{"fissure", "from", "points", "contact"}};
+  if (!lobes.complete.empty()) rows[0].push_back("shows");
   for (const SplitLung& lung : lobes.lungs) {
     for (const auto& [fissure, report] : lung.reports) {
       const UsedFissure& used = lobes.fissures.at(fissure);
       rows.push_back({std::string(shortName(fissure)), textOf(used.source),
                       std::to_string(used.points), fixed(report.contactMm2 / 100.0, 1) + " cm2"});
+      const auto known = lobes.complete.find(fissure);
+      if (known == lobes.complete.end()) continue;
+      rows.back().push_back(fixed(100.0 * known->second.share, 0) + " %");
     }
   }
   return text + textTable(rows);
