@@ -4,11 +4,13 @@
 
 #include "cli/arguments.h"
 #include "cli/command.h"
+#include "cli/ct_report.h"
 #include "cli/files.h"
 #include "cli/text.h"
 #include "io/atomic_file.h"
 #include "pipeline/lobe_files.h"
 #include "pipeline/lobe_labels.h"
+#include "pipeline/ct_model.h"
 #include "pipeline/report.h"
 #include "pipeline/split_lobes.h"
 #include "pipeline/whole_lungs.h"
@@ -23,8 +25,12 @@ struct LobesArguments {
   std::filesystem::path fissures;
   std::filesystem::path planes;
   std::string fractions;
-  LungLabelOptions labels;
+  LungLabelOptions numbers;
+  std::filesystem::path ct;
+  std::filesystem::path labels;
+  bool snap = false;
   LobeOptions options;
+  SnapOptions snapOptions;
 };
 
 LobeShares sharesOf(const std::string& text, std::size_t count) {
@@ -58,10 +64,25 @@ std::map<Side, LobeShares> fractionsOf(const std::string& text) {
   return shares;
 }
 
+LungModel openedCt(const LobesArguments& arguments, const Progress& progress) {
+  CtFile file = readCt(arguments.ct, {}, progress.part(0.0, 0.8, "reading the CT"));
+  if (arguments.snap) requireThinSlices(file.image);
+  const InputFile input = ctInput(arguments.ct, file, progress.part(0.8, 1.0, "hashing"));
+  LungModel model = modelOf(std::move(file), arguments.ct);
+  model.inputs = {input};
+  return model;
+}
+
 ExitCode runLobes(const LobesArguments& arguments, const CommonOptions& common,
                   const Progress& progress) {
   LobeInputs inputs;
   inputs.shares = fractionsOf(arguments.fractions);
+  if (arguments.snap) {
+    if (!inputs.shares.empty()) {
+      throw InvalidOption("--fractions would move the fissures off what --snap finds; leave one");
+    }
+    inputs.snap = arguments.snapOptions;
+  }
   requireFolderOutput(common.output);
   const std::filesystem::path& given =
       arguments.planes.empty() ? arguments.fissures : arguments.planes;
@@ -71,10 +92,19 @@ ExitCode runLobes(const LobesArguments& arguments, const CommonOptions& common,
   inputs.given = file.fissures;
   inputs.accessory = file.accessory;
   LungModel model =
-      openLungs(arguments.lungs, arguments.labels, progress.part(0.0, 0.3, "reading lungs"));
+      openLungs(arguments.lungs, arguments.numbers, progress.part(0.0, 0.3, "reading lungs"));
   std::vector<std::filesystem::path> givenFiles = patchFiles(file);
   if (!given.empty()) givenFiles.push_back(given);
   for (const auto& path : givenFiles) model.inputs.push_back(inputFile(path));
+  if (!arguments.ct.empty()) {
+    const LungModel ct = openedCt(arguments, progress.part(0.3, 0.35, "reading the CT"));
+    model = withCt(model, ct, arguments.labels, progress.part(0.35, 0.4, "finding lungs"));
+    givenFiles.push_back(arguments.ct);
+    if (!arguments.labels.empty()) givenFiles.push_back(arguments.labels);
+  }
+  if (arguments.snap && !model.ct) {
+    throw InvalidOption("--snap needs the CT of these lungs: --ct");
+  }
   std::vector<std::filesystem::path> paths;
   for (const auto& output : lobeOutputs(model, inputs)) paths.push_back(common.output / output);
   for (const auto& path : paths) {
@@ -86,11 +116,12 @@ ExitCode runLobes(const LobesArguments& arguments, const CommonOptions& common,
     requireOtherThanInputs(path, givenFiles);
   }
   const LobesOfLungs lobes =
-      splitLobes(model, inputs, arguments.options, progress.part(0.3, 0.85, "splitting lungs"));
+      splitLobes(model, inputs, arguments.options, progress.part(0.4, 0.85, "splitting lungs"));
   const Progress writing = progress.part(0.85, 1.0, "writing");
   const LabelImage labels = lobeLabels(
       model.labels ? *model.labels : lungLabels(model, LabelMm, writing), lobes, writing);
-  const Json report = lobesReport(model, lobes, arguments.options);
+  Json report = lobesReport(model, lobes, arguments.options);
+  if (arguments.snap) report["parameters"].update(toJson(arguments.snapOptions));
   OutputSet outputs;
   outputs.addFolder(common.output);
   for (const auto& path : paths) outputs.addFolder(path.parent_path());
@@ -132,8 +163,17 @@ Run declareLobes(CLI::App& app, CommonOptions& common) {
                  "Move the fissures until the lobes have these shares of their lung in percent, "
                  "RUL,RML,RLL[/LUL,LLL], or 'usual' for 40.5,12.9,46.6/50,50.")
       ->type_name("LIST");
-  addFields(app, arguments->labels);
+  addFields(app, arguments->numbers);
+  app.add_option("--ct", arguments->ct,
+                 "The CT of these lungs, of slices up to 1.5 mm: tells how much of each fissure "
+                 "shows.")
+      ->type_name("CT");
+  app.add_option("--labels", arguments->labels,
+                 "Labels of the lungs in the CT, 10 right, 20 left; else they are found.")
+      ->type_name("FILE");
+  app.add_flag("--snap", arguments->snap, "Draw the fissures onto what shows of them in the CT.");
   addFields(app, arguments->options);
+  addFields(app, arguments->snapOptions);
   addOutput(app, common, "FOLDER",
             "The folder for rul.vtp, rml.vtp, rll.vtp, lul.vtp, lll.vtp, fissures/*.vtp, lobes.vtm "
             "(all of them for ParaView), labels.nii.gz and lobes.json: what 'pneuma grow' takes.")

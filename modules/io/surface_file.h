@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -30,10 +32,14 @@ struct SurfaceTags {
   std::string units = "mm";   ///< "mm", "cm" or "m"
 };
 
+/// Values of the triangles of a surface, by the names that their arrays have in a file.
+using TriangleMarks = std::map<std::string, std::vector<std::uint8_t>>;
+
 /// Writes STL (binary), PLY, OBJ or VTP by the extension. Coordinates are written as they are;
 /// the file says by `tags` what they are.
+/// @param marks one value for each triangle; only VTP holds them
 /// @throws OutputFailed; Unsupported for another extension
 void writeSurface(const std::filesystem::path& path, const TriangleMesh& mesh,
-                  const SurfaceTags& tags = {});
+                  const SurfaceTags& tags = {}, const TriangleMarks& marks = {});
 
 }  // namespace pneuma

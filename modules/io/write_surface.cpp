@@ -1,10 +1,13 @@
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 
 #include <vtkCellArray.h>
+#include <vtkCellData.h>
 #include <vtkNew.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkUnsignedCharArray.h>
 
 #include "core/error.h"
 #include "io/atomic_file.h"
@@ -114,8 +117,16 @@ std::string plyText(const TriangleMesh& mesh, const SurfaceTags& tags) {
   return text;
 }
 
-std::string vtpSurfaceText(const TriangleMesh& mesh, const SurfaceTags& tags) {
+std::string vtpSurfaceText(const TriangleMesh& mesh, const SurfaceTags& tags,
+                           const TriangleMarks& marks) {
   const vtkNew<vtkPolyData> data = polyDataOf(mesh);
+  for (const auto& [name, values] : marks) {
+    const vtkNew<vtkUnsignedCharArray> array;
+    array->SetName(name.c_str());
+    array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()));
+    std::copy(values.begin(), values.end(), array->GetPointer(0));
+    data->GetCellData()->AddArray(array);
+  }
   setFieldText(*data, "SPACE", tags.space);
   setFieldText(*data, "units", tags.units);
   return vtpText(*data);
@@ -124,20 +135,19 @@ std::string vtpSurfaceText(const TriangleMesh& mesh, const SurfaceTags& tags) {
 }  // namespace
 
 void writeSurface(const std::filesystem::path& path, const TriangleMesh& mesh,
-                  const SurfaceTags& tags) {
+                  const SurfaceTags& tags, const TriangleMarks& marks) {
   using Writer = std::string (*)(const TriangleMesh&, const SurfaceTags&);
   const std::string extension = lowerCase(path.extension().string());
   const Writer writer = extension == ".stl"   ? static_cast<Writer>(stlText)
                         : extension == ".ply" ? plyText
                         : extension == ".obj" ? objText
-                        : extension == ".vtp" ? vtpSurfaceText
                                               : nullptr;
-  if (writer == nullptr) {
+  if (writer == nullptr && extension != ".vtp") {
     throw Unsupported("cannot write " + quoted(path) +
                       " as a surface; end its name in .stl, .ply, .obj or .vtp");
   }
   requireWritableMesh(mesh);
-  writeFile(path, writer(mesh, tags));
+  writeFile(path, writer == nullptr ? vtpSurfaceText(mesh, tags, marks) : writer(mesh, tags));
 }
 
 }  // namespace pneuma

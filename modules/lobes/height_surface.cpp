@@ -31,6 +31,11 @@ Vec2 HeightSurface::slope(const Vec2& uv) const {
   return slope / scale;
 }
 
+Vec3 HeightSurface::normalAt(const Vec2& uv) const {
+  const Vec2 along = slope(uv);
+  return (axes[2] - along.x() * axes[0] - along.y() * axes[1]).normalized();
+}
+
 double HeightSurface::distance(const Vec3& p) const {
   const Vec2 uv = planar(p);
   return ((p - centre).dot(axes[2]) - lift(uv)) / std::sqrt(1.0 + slope(uv).squaredNorm());

@@ -37,6 +37,9 @@ struct HeightSurface {
   /// Derivatives of w along u and v.
   Vec2 slope(const Vec2& uv) const;
 
+  /// Normal of the surface itself at (u, v), of length 1.
+  Vec3 normalAt(const Vec2& uv) const;
+
   /// How far a point lies above the surface along the normal, mm; negative below.
   double height(const Vec3& p) const { return (p - centre).dot(axes[2]) - lift(planar(p)); }
 

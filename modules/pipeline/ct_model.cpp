@@ -39,6 +39,18 @@ LungModel openCt(const std::filesystem::path& path, const CtCorrections& correct
   return modelOf(readCt(path, corrections, progress), path);
 }
 
+LungModel withCt(const LungModel& model, const LungModel& ct, const std::filesystem::path& labels,
+                 const Progress& progress) {
+  const LungModel opened =
+      labels.empty() ? withLungs(ct, {}, progress) : withLabels(ct, labels, progress);
+  LungModel result = model;
+  result.ct = opened.ct;
+  result.labels = opened.labels;
+  result.inputs.insert(result.inputs.end(), opened.inputs.begin(), opened.inputs.end());
+  result.warnings.insert(result.warnings.end(), opened.warnings.begin(), opened.warnings.end());
+  return result;
+}
+
 LungModel withLungs(const LungModel& model, const LungOptions& options, const Progress& progress) {
   if (!model.ct) throw InvalidInput("there is no CT to find lungs in; open one first");
   LungModel result;

@@ -18,6 +18,13 @@ LungModel openCt(const std::filesystem::path& path, const CtCorrections& correct
 InputFile ctInput(const std::filesystem::path& path, const CtFile& file,
                   const Progress& progress = {});
 
+/// The same with the CT that its lungs were found in, and their labels.
+/// @param ct as openCt() gave it
+/// @param labels a file; empty: they are found again
+/// @throws as withLabels() and withLungs()
+LungModel withCt(const LungModel& model, const LungModel& ct, const std::filesystem::path& labels,
+                 const Progress& progress = {});
+
 /// The model of a CT that was read already. @param path for the record
 LungModel modelOf(CtFile file, const std::filesystem::path& path);
 

@@ -6,7 +6,6 @@
 #include "io/multiblock_file.h"
 #include "io/surface_file.h"
 #include "io/volume_file.h"
-#include "lobes/contact_sampling.h"
 
 namespace pneuma {
 
@@ -50,7 +49,10 @@ void writeLobes(const std::filesystem::path& folder, const LobesOfLungs& lobes,
   }
   for (const SplitLung& lung : lobes.lungs) {
     for (const Fissure fissure : fissuresOf(lung.side)) {
-      writeSurface(folder / patchFile(fissure), patchOf(lung, fissure));
+      TriangleMarks marks;
+      const auto complete = lobes.complete.find(fissure);
+      if (complete != lobes.complete.end()) marks["on_fissure"] = complete->second.onSheet;
+      writeSurface(folder / patchFile(fissure), fissurePatch(lung, fissure), {}, marks);
       blocks.push_back({std::string(shortName(fissure)), patchFile(fissure)});
       progress.throwIfStopped();
     }
@@ -62,16 +64,6 @@ void writeLobes(const std::filesystem::path& folder, const LobesOfLungs& lobes,
     writeFissures(folder / FissurePointsFile, inputs.given, inputs.accessory);
   }
   writeFile(folder / LobesReportFile, report.dump(2) + "\n");
-}
-
-TriangleMesh patchOf(const SplitLung& lung, Fissure fissure) {
-  std::vector<RegionId> above;
-  RegionId below = OutsideRegion;
-  for (const auto& [behind, front] : lobesBeside(fissure)) {
-    below = static_cast<RegionId>(behind);
-    above.push_back(static_cast<RegionId>(front));
-  }
-  return contactOf(lung.complex, below, above);
 }
 
 }  // namespace pneuma

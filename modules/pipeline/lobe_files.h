@@ -21,9 +21,6 @@ std::filesystem::path lobeFile(Lobe lobe);
 /// "fissures/right-oblique.vtp", ...
 std::filesystem::path patchFile(Fissure fissure);
 
-/// The triangles of a fissure between the lobes that it parts, normals from below.
-TriangleMesh patchOf(const SplitLung& lung, Fissure fissure);
-
 /// What writeLobes() writes for a model, relative to the folder.
 std::vector<std::filesystem::path> lobeOutputs(const LungModel& model, const LobeInputs& inputs);
 

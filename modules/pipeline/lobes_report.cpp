@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "core/units.h"
 #include "geometry/mesh_topology.h"
 #include "lobes/welding.h"
@@ -21,6 +23,19 @@ Json contactsOf(const SplitLung& lung) {
     }
   }
   return contacts;
+}
+
+void addSnapping(Json& entry, const LobesOfLungs& lobes, Fissure fissure) {
+  if (const auto known = lobes.complete.find(fissure); known != lobes.complete.end()) {
+    entry["completeness"] = known->second.share;
+  }
+  if (const auto known = lobes.snapped.find(fissure); known != lobes.snapped.end()) {
+    const auto& [points, before, after] = known->second;
+    entry["snapped"] = std::ranges::count(points.onSheet, 1);
+    entry["unsnapped"] = std::ranges::count(points.onSheet, 0);
+    entry["share_before"] = before;
+    entry["share_after"] = after;
+  }
 }
 
 }  // namespace
@@ -48,6 +63,7 @@ Json lobesReport(const LungModel& model, const LobesOfLungs& lobes, const LobeOp
                   {"points", used.points},         {"mean_mm", used.meanMm},
                   {"largest_mm", used.largestMm},  {"left_out_mm", used.leftOutMm}};
     if (used.coverage) entry["coverage"] = *used.coverage;
+    addSnapping(entry, lobes, fissure);
     for (const SplitLung& lung : lobes.lungs) {
       const auto found = lung.reports.find(fissure);
       if (found == lung.reports.end()) continue;
@@ -89,11 +105,15 @@ std::string lobesText(const LobesOfLungs& lobes) {
   }
   std::string text = textTable(rows);
   rows = {{"fissure", "from", "points", "contact"}};
+  if (!lobes.complete.empty()) rows[0].push_back("shows");
   for (const SplitLung& lung : lobes.lungs) {
     for (const auto& [fissure, report] : lung.reports) {
       const UsedFissure& used = lobes.fissures.at(fissure);
       rows.push_back({std::string(shortName(fissure)), textOf(used.source),
                       std::to_string(used.points), fixed(report.contactMm2 / 100.0, 1) + " cm2"});
+      const auto known = lobes.complete.find(fissure);
+      if (known == lobes.complete.end()) continue;
+      rows.back().push_back(fixed(100.0 * known->second.share, 0) + " %");
     }
   }
   return text + textTable(rows);

@@ -6,6 +6,7 @@
 #include "core/error.h"
 #include "core/units.h"
 #include "geometry/mesh_topology.h"
+#include "lobes/contact_sampling.h"
 #include "pipeline/figure_table.h"
 #include "pipeline/fissure_coverage.h"
 
@@ -61,30 +62,56 @@ void warnOfShares(LobesOfLungs& result) {
   }
 }
 
-void splitOne(const LobeSurface& lung, const LobeInputs& inputs, const LobeOptions& options,
-              LobesOfLungs& result, const Progress& progress) {
+/// What shows of fissures in the model's CT; none without one that can show them.
+std::optional<SheetnessImage> sheetsFor(const LungModel& model, Side of, const LobeInputs& inputs,
+                                        const Progress& progress) {
+  if (inputs.snap) {
+    if (!model.ct || !model.labels) {
+      throw InvalidInput("fissures can be snapped only in a CT whose lungs were found; give one");
+    }
+    requireThinSlices(*model.ct);
+  }
+  if (!model.ct || !model.labels || !hasThinSlices(*model.ct)) return std::nullopt;
+  return fissureSheets(model, of, progress);
+}
+
+void splitOne(const LungModel& model, const LobeSurface& lung, const LobeInputs& inputs,
+              const LobeOptions& options, LobesOfLungs& result, const Progress& progress) {
   requireFit(lung);
   const Side of = side(lung.lobe);
+  const std::optional<SheetnessImage> sheets =
+      sheetsFor(model, of, inputs, progress.part(0.0, 0.2, "looking for fissures"));
+  UsedFissures found = fissureSurfaces(*lung.mesh, of, inputs.given, options, result.warnings);
+  if (inputs.snap) {
+    result.snapped.merge(snapFissures(found, *sheets, inputs.given, options, *inputs.snap,
+                                      result.warnings, progress.part(0.2, 0.4, "snapping")));
+  }
   FissureSurfaces surfaces;
-  for (auto& [fissure, used] :
-       fissureSurfaces(*lung.mesh, of, inputs.given, options, result.warnings)) {
+  for (auto& [fissure, used] : found) {
     surfaces[fissure] = used.surface;
     result.fissures[fissure] = std::move(used);
   }
   const auto shares = inputs.shares.find(of);
   if (shares != inputs.shares.end()) {
     surfaces = withShares(*lung.mesh, of, std::move(surfaces), shares->second, options.capSpacingMm,
-                          progress.part(0.0, 0.6, "moving fissures"));
+                          progress.part(0.4, 0.7, "moving fissures"));
     for (const auto& [fissure, surface] : surfaces) result.fissures[fissure].surface = surface;
   }
   SplitLung split = splitLung(*lung.mesh, of, surfaces, options.capSpacingMm,
-                              progress.part(0.6, 1.0, "cutting along fissures"));
+                              progress.part(0.7, 0.9, "cutting along fissures"));
   for (const auto& [fissure, report] : split.reports) {
     if (report.piecesJoined == 0) continue;
     result.warnings.push_back("the " + std::string(longName(fissure)) + " had cut " +
                               std::to_string(report.piecesJoined) + " pieces off, together " +
                               fixed(millilitres(report.joinedMm3), 2) +
                               " ml; they went to the lobe around them");
+  }
+  if (sheets) {
+    for (const Fissure fissure : fissuresOf(of)) {
+      result.complete[fissure] =
+          completeness(*sheets, fissurePatch(split, fissure), inputs.snap.value_or(SnapOptions{}),
+                       progress.part(0.9, 1.0, "looking at fissures"));
+    }
   }
   const auto whole = static_cast<RegionId>(lung.lobe);
   result.lungMm3[of] = volumeMm3(complexOf(*lung.mesh, whole), whole);
@@ -125,7 +152,13 @@ LobesOfLungs splitLobes(const LungModel& model, const LobeInputs& inputs,
       continue;
     }
     const double from = wanted == Lobe::RightLung ? 0.0 : 0.5;
-    splitOne(*lung, inputs, options, result, progress.part(from, from + 0.5, "splitting lungs"));
+    splitOne(model, *lung, inputs, options, result,
+             progress.part(from, from + 0.5, "splitting lungs"));
+  }
+  if (model.ct && !hasThinSlices(*model.ct)) {
+    result.warnings.push_back("how much of the fissures shows is not told: the CT's slices are " +
+                              fixed(model.ct->geometry.spacing.maxCoeff(), 2) +
+                              " mm apart, more than " + fixed(ThickestSliceMm, 1) + " mm");
   }
   if (result.lungs.empty()) {
     throw InvalidInput(
@@ -136,6 +169,16 @@ LobesOfLungs splitLobes(const LungModel& model, const LobeInputs& inputs,
   result.parted = partedLobes(result.lungs, inputs.accessory, options, result.warnings);
   progress.report(1.0);
   return result;
+}
+
+TriangleMesh fissurePatch(const SplitLung& lung, Fissure fissure) {
+  std::vector<RegionId> above;
+  RegionId below = OutsideRegion;
+  for (const auto& [behind, front] : lobesBeside(fissure)) {
+    below = static_cast<RegionId>(behind);
+    above.push_back(static_cast<RegionId>(front));
+  }
+  return contactOf(lung.complex, below, above);
 }
 
 double partitionError(const LobesOfLungs& lobes, Side of) {

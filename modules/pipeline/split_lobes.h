@@ -1,10 +1,12 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <vector>
 
 #include "io/json.h"
 #include "pipeline/accessory_fissures.h"
+#include "pipeline/fissure_snapping.h"
 #include "pipeline/fissure_surfaces.h"
 #include "pipeline/lung_model.h"
 
@@ -24,6 +26,8 @@ struct LobesOfLungs {
   std::vector<SplitLung> lungs;  ///< right before left
   std::map<Side, double> lungMm3;
   std::map<Lobe, double> lobeMm3;
+  FissureSnappings snapped;                  ///< empty without snapping
+  std::map<Fissure, Completeness> complete;  ///< empty without a CT of thin slices
   std::map<Lobe, LobeShape> shapes;
   std::vector<PartedLobe> parted;     ///< along accessory fissures
   std::vector<std::string> warnings;  ///< whole sentences
@@ -34,12 +38,19 @@ struct LobeInputs {
   GivenFissures given;  ///< the others are proposed
   std::vector<AccessoryFissure> accessory;
   std::map<Side, LobeShares> shares;  ///< of lungs whose fissures are moved to wanted volumes
+  std::optional<SnapOptions> snap;    ///< onto what shows in the model's CT
 };
 
+/// The contact of lobes along a fissure, normals from below to above. The lower lobe has two
+/// neighbours.
+TriangleMesh fissurePatch(const SplitLung& lung, Fissure fissure);
+
 /// Splits whole lungs into lobes along fissureSurfaces().
-/// @param model with surfaces of the right lung, the left one or both
-/// @throws InvalidInput if there is no lung, one is not fit to be split, and as
-/// fissureSurfaces(), splitLung(), withShares() and partedLobes(); Cancelled
+/// @param model with surfaces of the right lung, the left one or both; with a CT of thin slices and
+/// its labels the fissures' completeness is found
+/// @throws InvalidInput if there is no lung, one is not fit to be split, fissures shall be snapped
+/// without a CT, and as fissureSurfaces(), fissureSheets(), splitLung(), withShares() and
+/// partedLobes(); Cancelled
 LobesOfLungs splitLobes(const LungModel& model, const LobeInputs& inputs,
                         const LobeOptions& options = {}, const Progress& progress = {});
 

@@ -155,6 +155,21 @@ for name in planes equation surfaces points drawn; do
   cp $name.json "$logs/out"
   keeps fissures
 done
+succeeds "a CT of thin slices" sample thin --ct --spacing 1.5 --thick 1.5 -q
+succeeds "its lungs" segment thin/ct.nii.gz -o thin/labels.nii.gz --surfaces thin/lungs -q
+succeeds "how much of fissures shows" lobes thin/lungs --ct thin/ct.nii.gz --labels thin/labels.nii.gz -o shown
+prints '^fissure .* shows'
+prints '^left-oblique +proposal .* [0-9]+ %'
+expect "the patch says nothing of the fissure" grep -q on_fissure shown/fissures/left-oblique.vtp
+succeeds "fissures snapped" lobes thin/lungs --ct thin/ct.nii.gz --snap -o snapped --json
+keeps lobes
+prints '"completeness"'
+prints '"share_after"'
+succeeds "thick slices" lobes lungs --ct chest/ct.nii.gz -o thick
+expect "nothing is said of the slices" grep -q 'slices are 3.00 mm apart' "$logs/err"
+refuses "snapping in thick slices" 5 'slices are 3.00 mm apart' lobes lungs --ct chest/ct.nii.gz --snap -o nowhere
+refuses "snapping without a CT" 2 'needs the CT' lobes lungs --snap -o nowhere
+refuses "snapping and wanted volumes" 2 'leave one' lobes lungs --ct chest/ct.nii.gz --snap --fractions usual -o nowhere
 
 refuses "lobes that are there" 6 'exists' lobes lungs -o lobes
 refuses "a lobe alone" 4 'RML RLL is missing' lobes lobes/rul.vtp -o nowhere

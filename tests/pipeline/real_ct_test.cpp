@@ -4,9 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include "core/error.h"
 #include "geometry/mesh_topology.h"
 #include "io/volume_file.h"
 #include "pipeline/ct_model.h"
+#include "pipeline/split_lobes.h"
 #include "segmentation/label_agreement.h"
 #include "support/stop_watch_sink.h"
 
@@ -57,6 +59,35 @@ TEST(RealCt, FindingLungsInLidc0002CanBeStoppedAtAnyMoment) {
   const Progress progress(watch);
   withSurfaces(withLungs(openCt(path, {}, progress), {}, progress), {}, progress);
   EXPECT_LT(watch.longestSeconds(), 0.5);
+}
+
+TEST(RealCt, FissuresOfLidc0002AreFoundFromTheProposal) {
+  const auto path = dataPath("ct_lidc_idri_0002_lungs/lidc_idri_0002_lungs.mha");
+  NEED_DATA(path);
+  const LungModel model = withSurfaces(withLungs(openCt(path)));
+  LobeInputs inputs;
+  const LobesOfLungs proposed = splitLobes(model, inputs);
+  inputs.snap = SnapOptions{};
+  testing::StopWatchSink watch;
+  for (const Side side : {Side::Right, Side::Left}) {
+    fissureSheets(model, side, Progress(watch));
+  }
+  EXPECT_LT(watch.longestSeconds(), 0.2);
+  const LobesOfLungs snapped = splitLobes(model, inputs);
+  const std::map<Fissure, double> least = {{Fissure::RightOblique, 0.65},
+                                           {Fissure::RightHorizontal, 0.35},
+                                           {Fissure::LeftOblique, 0.65}};
+  for (const auto& [fissure, share] : least) {
+    EXPECT_GE(snapped.complete.at(fissure).share, share) << shortName(fissure);
+    EXPECT_LE(proposed.complete.at(fissure).share, 0.5 * share) << shortName(fissure);
+  }
+  for (const SplitLung& lung : snapped.lungs) EXPECT_LT(partitionError(snapped, lung.side), 1e-12);
+}
+
+TEST(RealCt, FissuresOfLidc0001AreNotLookedFor) {
+  const auto path = dataPath("ct_lidc_idri_0001/lidc_idri_0001.mha");
+  NEED_DATA(path);
+  EXPECT_THROW(requireThinSlices(*openCt(path).ct), Unsupported);
 }
 
 TEST(RealCt, LungsOfLungDxA0001) {
