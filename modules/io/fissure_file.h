@@ -62,8 +62,9 @@ struct FissureFile {
 
 /// Reads fissures: our JSON (schema pneuma/fissures/1); markups of 3D Slicer, .mrk.json or the
 /// older .fcsv, LPS or RAS, whose points' labels or lists name the fissure (right-oblique-3, RH);
-/// or the CSV of the Chest Imaging Platform (columns region, type, x, y, z; RIGHTLUNG or LEFTLUNG,
-/// OBLIQUEFISSURE or HORIZONTALFISSURE; other rows are left out). Points without a place are left
+/// or the CSV of the Chest Imaging Platform (columns region, type, x, y, z; RIGHTLUNG,
+/// LEFTLUNG or a lobe beside the fissure, OBLIQUEFISSURE or HORIZONTALFISSURE, in any case; other
+/// rows are left out). Points without a place are left
 /// out of markups.
 /// @throws InputMissing; InvalidInput naming file and row or entry; Unsupported for another format
 FissureFile readFissureFile(const std::filesystem::path& path);

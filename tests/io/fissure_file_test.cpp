@@ -157,6 +157,21 @@ TEST_F(FissureFileTest, ReadsTheChestImagingPlatformsCsv) {
   EXPECT_EQ(sets.at(Fissure::LeftOblique).points[0], Vec3(4.0, 5.0, 6.0));
 }
 
+TEST_F(FissureFileTest, ReadsCsvWhoseRegionsAreLobesInAnyCase) {
+  // As in some files of LungLobeAtlasData.
+  const GivenFissures sets = readFissures(file("lobes.csv",
+                                               "Region,Type,X Location,Y Location, Z Location\n"
+                                               "RightInferiorLobe,ObliqueFissure,1,2,3\n"
+                                               "RIGHTSUPERIORLOBE,HORIZONTALFISSURE,4,5,6\n"
+                                               "LeftSuperiorLobe,ObliqueFissure,7,8,9\n"
+                                               "LEFTSUPERIORLOBE,UNDEFINEDTYPE,0,0,0\n"));
+  ASSERT_EQ(sets.size(), 3U);
+  EXPECT_EQ(sets.at(Fissure::RightOblique).points[0], Vec3(1.0, 2.0, 3.0));
+  EXPECT_EQ(sets.at(Fissure::RightHorizontal).points[0], Vec3(4.0, 5.0, 6.0));
+  EXPECT_EQ(sets.at(Fissure::LeftOblique).points[0], Vec3(7.0, 8.0, 9.0));
+  EXPECT_EQ(sets.at(Fissure::LeftOblique).points.size(), 1U);
+}
+
 TEST_F(FissureFileTest, IsReadAsItWasWrittenInEveryFormat) {
   GivenFissures sets;
   sets[Fissure::RightOblique].points = {{1.5, -2.25, 3.0}, {0.1, 1e-17, -1e9}, {4.0, 5.0, 6.0}};

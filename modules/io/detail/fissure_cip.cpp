@@ -6,6 +6,19 @@
 #include "io/detail/text_fields.h"
 
 namespace pneuma {
+namespace {
+
+/// The region may be a lobe beside the fissure: RIGHTLUNG, RightMiddleLobe.
+std::optional<Fissure> fissureOfRow(const std::string& region, const std::string& type) {
+  const bool right = region.starts_with("right");
+  const bool left = region.starts_with("left");
+  if (right && type == "horizontalfissure") return Fissure::RightHorizontal;
+  if (right && type == "obliquefissure") return Fissure::RightOblique;
+  if (left && type == "obliquefissure") return Fissure::LeftOblique;
+  return std::nullopt;
+}
+
+}  // namespace
 
 GivenFissures fissuresOfCipCsv(const std::filesystem::path& path, const std::string& text) {
   std::istringstream lines(text);
@@ -22,12 +35,7 @@ GivenFissures fissuresOfCipCsv(const std::filesystem::path& path, const std::str
                          " fields in line " + std::to_string(number) +
                          "; region, type, x, y and z are needed");
     }
-    const bool right = fields[0] == "RIGHTLUNG";
-    const bool left = fields[0] == "LEFTLUNG";
-    std::optional<Fissure> fissure;
-    if (right && fields[1] == "HORIZONTALFISSURE") fissure = Fissure::RightHorizontal;
-    if (right && fields[1] == "OBLIQUEFISSURE") fissure = Fissure::RightOblique;
-    if (left && fields[1] == "OBLIQUEFISSURE") fissure = Fissure::LeftOblique;
+    const std::optional<Fissure> fissure = fissureOfRow(lowerCase(fields[0]), lowerCase(fields[1]));
     if (!fissure) continue;
     Vec3 place;
     for (std::size_t axis = 0; axis < 3; ++axis) {
