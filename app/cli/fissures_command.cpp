@@ -5,7 +5,7 @@
 #include "cli/command.h"
 #include "cli/files.h"
 #include "cli/text.h"
-#include "pipeline/sample_fissures.h"
+#include "pipeline/fissure_sampling.h"
 
 namespace pneuma::cli {
 namespace {

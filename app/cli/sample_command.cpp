@@ -11,6 +11,7 @@
 #include "cli/text.h"
 #include "core/units.h"
 #include "io/dicom_writer.h"
+#include "io/fissure_file.h"
 #include "io/json.h"
 #include "io/surface_file.h"
 #include "io/tree_file.h"
@@ -47,6 +48,7 @@ struct SampleArguments {
 };
 
 constexpr std::string_view CentralName = "central.vtp";
+constexpr std::string_view FissuresName = "fissures.json";
 constexpr std::string_view TruthName = "truth.json";
 constexpr std::string_view CtName = "ct.nii.gz";
 constexpr std::string_view LabelsName = "labels.nii.gz";
@@ -101,6 +103,7 @@ void requireUsable(const SampleArguments& arguments, const CommonOptions& common
     requireOutput(arguments.folder / surfaceName(lobe, arguments.format), common.existing());
   }
   requireOutput(arguments.folder / CentralName, common.existing());
+  requireOutput(arguments.folder / FissuresName, common.existing());
   requireOutput(arguments.folder / TruthName, common.existing());
   if (!arguments.ct) return;
   requireOutput(arguments.folder / CtName, common.existing());
@@ -176,16 +179,35 @@ Json truth(const SampleChest& chest, const SampleArguments& arguments) {
   }
   report["fissures"] = Json::array();
   for (const SampleFissure& fissure : chest.fissures) {
+    Json waves = Json::array();
+    for (const FissureWave& wave : fissure.waves) {
+      waves.push_back({{"amplitude_mm", wave.amplitudeMm},
+                       {"x_per_mm", wave.xPerMm},
+                       {"y_per_mm", wave.yPerMm},
+                       {"phase", wave.phase}});
+    }
     report["fissures"].push_back(
         {{"name", fissure.name},
-         {"equation", "z = height + slope y + bend y^2 + side_bend (x - side)^2"},
+         {"equation",
+          "z = height + slope y + bend y^2 + side_bend (x - side)^2 + sum over waves of amplitude "
+          "sin(x_per_mm x + y_per_mm y + phase)"},
          {"height_mm", fissure.heightMm},
          {"slope", fissure.slope},
          {"bend_per_mm", fissure.bend},
          {"side_bend_per_mm", fissure.sideBend},
-         {"side_mm", fissure.sideMm}});
+         {"side_mm", fissure.sideMm},
+         {"waves", waves}});
   }
   return report;
+}
+
+/// Points on the true fissures, as `pneuma lobes` takes them.
+GivenFissures givenFissures(const SampleChest& chest) {
+  GivenFissures given;
+  for (const SampleFissure& fissure : chest.fissures) {
+    given[*fissureOfShortName(fissure.name)].points = fissure.points;
+  }
+  return given;
 }
 
 std::string sizeText(const CtImage& image) {
@@ -240,6 +262,8 @@ ExitCode runSample(const SampleArguments& arguments, const CommonOptions& common
   outputs.add(arguments.folder / CentralName);
   writeTree(arguments.folder / CentralName, chest.central,
             {{"method", "sample"}, {"version", versionText()}});
+  outputs.add(arguments.folder / FissuresName);
+  writeFissures(arguments.folder / FissuresName, givenFissures(chest));
   if (ct) {
     writeCt(arguments.folder, *ct, writing, common, outputs, progress.part(0.7, 1.0, "writing"));
   }
@@ -257,8 +281,8 @@ ExitCode runSample(const SampleArguments& arguments, const CommonOptions& common
                       fixed(lobe.at("volume_ml").get<double>(), 1) + " ml",
                       fixed(lobe.at("surface_volume_ml").get<double>(), 1) + " ml"});
     }
-    std::cout << arguments.folder.string() << ": five lobes, " << CentralName << ", " << TruthName
-              << "\n"
+    std::cout << arguments.folder.string() << ": five lobes, " << CentralName << ", "
+              << FissuresName << ", " << TruthName << "\n"
               << table(rows);
     if (ct) {
       std::cout << CtName << ", " << LabelsName << ", " << DicomName << ": " << sizeText(ct->image)

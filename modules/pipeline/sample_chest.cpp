@@ -6,46 +6,13 @@
 #include <string>
 #include <utility>
 
-#include <vtkDoubleArray.h>
-#include <vtkImageData.h>
-#include <vtkNew.h>
-#include <vtkPointData.h>
-
 #include "anatomy/diameter_law.h"
 #include "core/error.h"
-#include "core/parallel.h"
-#include "pipeline/contour.h"
+#include "pipeline/detail/lung_lattice.h"
 #include "pipeline/sample_lung.h"
 
 namespace pneuma {
 namespace {
-
-/// The values that tell the lobes of a lung apart at a point, each positive on one side.
-struct Levels {
-  double pleura = 0.0;
-  double aboveOblique = 0.0;
-  double aboveHorizontal = 0.0;
-};
-
-/// Positive inside the lobe, 0 on its wall. The two sides of a fissure are exact negatives, so that
-/// surfaces made of them meet in the same points.
-double levelIn(Lobe lobe, const Levels& at) {
-  switch (lobe) {
-    case Lobe::RightUpper:
-      return std::min({at.pleura, at.aboveOblique, at.aboveHorizontal});
-    case Lobe::RightMiddle:
-      return std::min({at.pleura, at.aboveOblique, -at.aboveHorizontal});
-    case Lobe::LeftUpper:
-      return std::min(at.pleura, at.aboveOblique);
-    default:
-      return std::min(at.pleura, -at.aboveOblique);
-  }
-}
-
-Levels levelsAt(const SampleLung& shape, const Vec3& lps) {
-  const Vec3 p = shape.modelFromLps(lps);
-  return {shape.pleura(p), shape.aboveOblique(p), shape.aboveHorizontal(p)};
-}
 
 /// A lobe as its formulas say.
 class FormulaLobe : public Domain {
@@ -71,65 +38,6 @@ class FormulaLobe : public Domain {
   SampleLung shape_;
   Lobe lobe_;
   double volumeMm3_;
-};
-
-/// A lattice over a lung with the levels at its nodes.
-class LungLattice {
- public:
-  LungLattice(const SampleLung& shape, double cellMm) : cellMm_(cellMm) {
-    const Box3 box = shape.bounds();
-    origin_ = box.min() - cellMm * Vec3(1.37, 1.29, 1.43);
-    size_ = ((box.max() - origin_) / cellMm).array().ceil().matrix().cast<int>() +
-            Eigen::Vector3i::Constant(2);
-    const std::size_t plane =
-        static_cast<std::size_t>(size_.x()) * static_cast<std::size_t>(size_.y());
-    levels_.resize(plane * static_cast<std::size_t>(size_.z()));
-    parallelFor(static_cast<std::size_t>(size_.z()), [&](std::size_t k) {
-      std::size_t node = k * plane;
-      for (int j = 0; j < size_.y(); ++j) {
-        for (int i = 0; i < size_.x(); ++i) {
-          const Vec3 p = origin_ + cellMm_ * Vec3(i, j, static_cast<double>(k));
-          levels_[node++] = awayFromZero(levelsAt(shape, p));
-        }
-      }
-    });
-  }
-
-  /// mm^3, by the nodes inside.
-  double volumeMm3(Lobe lobe) const {
-    const auto inside =
-        std::ranges::count_if(levels_, [&](const Levels& at) { return levelIn(lobe, at) > 0.0; });
-    return static_cast<double>(inside) * cellMm_ * cellMm_ * cellMm_;
-  }
-
-  TriangleMesh surface(Lobe lobe) const {
-    vtkNew<vtkDoubleArray> scalars;
-    scalars->SetNumberOfValues(static_cast<vtkIdType>(levels_.size()));
-    for (std::size_t i = 0; i < levels_.size(); ++i) {
-      scalars->SetValue(static_cast<vtkIdType>(i), levelIn(lobe, levels_[i]));
-    }
-    vtkNew<vtkImageData> image;
-    image->SetDimensions(size_.x(), size_.y(), size_.z());
-    image->SetOrigin(origin_.data());
-    image->SetSpacing(cellMm_, cellMm_, cellMm_);
-    image->GetPointData()->SetScalars(scalars);
-    return contourOf(*image, 0.0);
-  }
-
- private:
-  /// Keeps the wall a little off the nodes: no triangle without area.
-  Levels awayFromZero(const Levels& at) const {
-    const auto keptOff = [&](double level) {
-      const double least = 0.02 * cellMm_;
-      return std::abs(level) >= least ? level : level < 0.0 ? -least : least;
-    };
-    return {keptOff(at.pleura), keptOff(at.aboveOblique), keptOff(at.aboveHorizontal)};
-  }
-
-  double cellMm_;
-  Vec3 origin_;
-  Eigen::Vector3i size_;
-  std::vector<Levels> levels_;
 };
 
 /// Central airways with the lengths of Huang 2004 (right) and of Weibel's left main bronchus; each

@@ -125,7 +125,7 @@ SampleChest mirrored(SampleChest chest) {
     for (auto& [a, b, c] : mesh.triangles) std::swap(b, c);  // outward again
     lobe.mesh = std::make_shared<const TriangleMesh>(std::move(mesh));
   }
-  for (SampleFissure& fissure : chest.fissures) fissure.sideMm = -fissure.sideMm;
+  for (SampleFissure& fissure : chest.fissures) fissure = fissure.mirrored();
   chest.central = mirrored(chest.central);
   return chest;
 }

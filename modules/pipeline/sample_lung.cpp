@@ -2,19 +2,58 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+
+#include "core/units.h"
 
 namespace pneuma {
 namespace {
 
-double square(double v) { return v * v; }
+/// Of the points on a fissure, along x and y.
+constexpr double PointsMm = 8.0;
 
-// The fissures in the frame of the model, below: oblique z = h - slope y - bend y^2, horizontal
-// z = h + slope y - sideBend (x - side)^2.
-constexpr double ObliqueSlope = 1.15;
-constexpr double ObliqueBend = 0.0009;
-constexpr double HorizontalSlope = 0.06;
-constexpr double HorizontalSideBend = 0.0005;
-constexpr double HorizontalSide = 80.0;
+/// @param directionDeg of its crests' way, from the left to the back
+FissureWave wave(double amplitudeMm, double lengthMm, double directionDeg, double phase) {
+  const double perMm = 2.0 * std::numbers::pi / lengthMm;
+  const double direction = radians(directionDeg);
+  return {amplitudeMm, perMm * std::cos(direction), perMm * std::sin(direction), phase};
+}
+
+// As rough as the fissures of lobes_airways_chaste are: 4 to 7 mm on average from their best plane,
+// and a spline through 12 or 25 points of them errs as much.
+SampleFissure rightOblique() {
+  SampleFissure fissure{"right-oblique", -42.0, 1.15, -0.0009};
+  fissure.waves = {wave(20.0, 200.0, 25.0, 0.9), wave(11.0, 130.0, 115.0, 1.9),
+                   wave(4.0, 70.0, 20.0, 0.7)};
+  return fissure;
+}
+
+SampleFissure rightHorizontal() {
+  SampleFissure fissure{"right-horizontal", -14.0, -0.06, 0.0, -0.0005, -80.0};
+  fissure.waves = {wave(11.0, 150.0, 12.0, 2.7), wave(5.0, 95.0, 165.0, 0.5),
+                   wave(1.5, 60.0, 20.0, 1.0)};
+  return fissure;
+}
+
+SampleFissure leftOblique() {
+  SampleFissure fissure{"left-oblique", -39.0, 1.15, -0.0009};
+  fissure.waves = {wave(21.0, 170.0, 155.0, 0.6), wave(11.0, 130.0, 70.0, 2.2),
+                   wave(4.0, 70.0, 160.0, 1.1)};
+  return fissure;
+}
+
+/// Points on a fissure within the pleura.
+std::vector<Vec3> pointsOf(const SampleFissure& fissure, const SampleLung& lung) {
+  const Box3 box = lung.bounds();
+  std::vector<Vec3> points;
+  for (double y = box.min().y() + PointsMm / 2.0; y < box.max().y(); y += PointsMm) {
+    for (double x = box.min().x() + PointsMm / 2.0; x < box.max().x(); x += PointsMm) {
+      const Vec3 p(x, y, fissure.zAt(x, y));
+      if (lung.pleura(lung.modelFromLps(p)) > 0.0) points.push_back(p);
+    }
+  }
+  return points;
+}
 
 }  // namespace
 
@@ -54,23 +93,9 @@ double SampleLung::pleura(const Vec3& model) const {
   return scale * level;
 }
 
-double SampleLung::aboveOblique(const Vec3& p) const {
-  constexpr double Steepest = 1.7;  // of the gradient, in the lung's box
-  return (p.z() - oblique + ObliqueSlope * p.y() + ObliqueBend * square(p.y())) / Steepest;
-}
-
-double SampleLung::aboveHorizontal(const Vec3& p) const {
-  constexpr double Steepest = 1.01;
-  return (p.z() - horizontal - HorizontalSlope * p.y() +
-          HorizontalSideBend * square(p.x() - HorizontalSide)) /
-         Steepest;
-}
-
 std::vector<SampleFissure> SampleLung::fissures() const {
-  if (side == Side::Left) return {{"left-oblique", oblique, ObliqueSlope, -ObliqueBend}};
-  return {{"right-oblique", oblique, ObliqueSlope, -ObliqueBend},
-          {"right-horizontal", horizontal, -HorizontalSlope, 0.0, -HorizontalSideBend,
-           -HorizontalSide}};
+  if (!horizontal) return {oblique};
+  return {oblique, *horizontal};
 }
 
 Box3 SampleLung::bounds() const {
@@ -87,13 +112,21 @@ SampleLung sampleLung(Side side) {
     shape.scale = 1.0855;
     shape.heartCentre = {0.0, 38.0, -78.0};
     shape.heartSemiAxes = {56.0, 52.0, 72.0};
-    shape.oblique = -50.0;
-    shape.horizontal = -16.0;
+    shape.oblique = rightOblique();
+    shape.horizontal = rightHorizontal();
   } else {
     shape.scale = 1.065;
     shape.heartCentre = {12.0, 42.0, -80.0};
     shape.heartSemiAxes = {66.0, 56.0, 76.0};
-    shape.oblique = -45.0;
+    shape.oblique = leftOblique();
+  }
+  shape.oblique.steepest = shape.oblique.steepestIn(shape.bounds());
+  shape.oblique.points = pointsOf(shape.oblique, shape);
+  if (shape.horizontal) {
+    shape.horizontal->steepest = shape.horizontal->steepestIn(shape.bounds());
+    shape.horizontal->points = pointsOf(*shape.horizontal, shape);
+    std::erase_if(shape.horizontal->points,
+                  [&](const Vec3& p) { return shape.oblique.above(p) <= 0.0; });
   }
   return shape;
 }

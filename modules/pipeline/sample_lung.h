@@ -1,10 +1,11 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "anatomy/lobe.h"
 #include "core/math.h"
-#include "pipeline/sample_chest.h"
+#include "pipeline/sample_fissure.h"
 
 namespace pneuma {
 
@@ -16,15 +17,15 @@ double roundedMin(double a, double b, double width);
 /// makes it a cylinder.
 double outsideEllipsoid(const Vec3& p, const Vec3& centre, const Vec3& semiAxes);
 
-/// The shape of one lung of the sample chest and its fissures. Frame of the model: x away from the
-/// midline, y to the front, z up, carina at the origin, mm.
+/// The shape of one lung of the sample chest and its fissures. Frame of the pleura's model: x away
+/// from the midline, y to the front, z up, carina at the origin, mm.
 struct SampleLung {
   Side side = Side::Right;
   double scale = 1.0;  ///< of the whole pleura
   Vec3 heartCentre;    ///< at scale 1
   Vec3 heartSemiAxes;
-  double oblique = 0.0;     ///< height of the oblique fissure at y = 0
-  double horizontal = 0.0;  ///< height of the horizontal fissure at x = 80, y = 0; right lung only
+  SampleFissure oblique;                    ///< LPS
+  std::optional<SampleFissure> horizontal;  ///< LPS; right lung only
 
   /// The diaphragm's dome, at scale 1: what of this ellipsoid reaches into the lung.
   static const Vec3 DomeCentre;
@@ -40,13 +41,7 @@ struct SampleLung {
   /// docs/algorithms/centroid-splitting.md with rounded edges and a smaller diaphragm.
   double pleura(const Vec3& model) const;
 
-  /// Positive above the oblique fissure.
-  double aboveOblique(const Vec3& model) const;
-
-  /// Positive above the horizontal fissure.
-  double aboveHorizontal(const Vec3& model) const;
-
-  /// The same fissures in LPS, where y changes its sign and on the right x as well.
+  /// The oblique one first.
   std::vector<SampleFissure> fissures() const;
 
   /// LPS box of the lung.

@@ -28,6 +28,7 @@ prints 'ok +self-test: [0-9,]+ terminals grown in .* 0 outside'
 succeeds "sample" sample chest --cell 4mm
 expect "the truth does not tell of three fissures" test "$(grep -c side_bend_per_mm chest/truth.json)" -eq 3
 expect "there are not five lobes" test "$(find chest -name '???.stl' | wc -l)" -eq 5
+expect "there are no points upon the fissures" grep -q '"left-oblique"' chest/fissures.json
 cp chest/truth.json "$logs/out"
 keeps sample
 succeeds "sample as a CT" sample scan --cell 6mm --ct --spacing 4mm --thick 6mm --tilt 10deg --gaps 2 --seed 3

@@ -50,6 +50,12 @@ done
 succeeds "the same again" lobes lungs --fractions 36,18,46/55,45 -o again -q -j 1
 expect "another number of threads gives other lobes" diff -r wanted again -x lobes.json
 
+succeeds "lobes along the true fissures" lobes lungs --fissures chest/fissures.json -o true --json
+cp "$logs/out" true.json
+for pair in RUL:0.355 RML:0.190 RLL:0.455 LUL:0.506 LLL:0.494; do
+  expect "share of ${pair%:*}: $(share "${pair%:*}" true.json)" awk -v s="$(share "${pair%:*}" true.json)" -v w="${pair#*:}" 'BEGIN { exit !((s - w) ^ 2 < 1e-4) }'
+done
+
 cat >points.json <<'P'
 { "schema": "pneuma/fissures/1", "space": "LPS",
   "fissures": { "left-oblique": { "points": [[70, -60, -120], [80, 60, 30], [110, 0, -50]] } } }

@@ -170,6 +170,16 @@ TEST(SampleChest, EveryLobeHasOneBronchusThatEndsInIt) {
   }
 }
 
+TEST(SampleChest, LobesAreOnePieceOnEveryLattice) {
+  // Without joining crumbs the middle lobe has some on these.
+  for (const double cellMm : {3.0, 4.5, 6.0}) {
+    for (const LobeSurface& lobe : sampleChest(cellMm).lobes) {
+      EXPECT_TRUE(lobe.health.healthy()) << lobe.name << ", " << cellMm << " mm";
+      EXPECT_EQ(lobe.health.components, 1U) << lobe.name << ", " << cellMm << " mm";
+    }
+  }
+}
+
 TEST(SampleChest, IsAsHealthyOnACoarseLattice) {
   const SampleChest coarse = sampleChest(4.0);
   for (std::size_t i = 0; i < 5; ++i) {

@@ -1,4 +1,4 @@
-#include "pipeline/sample_fissures.h"
+#include "pipeline/fissure_sampling.h"
 
 #include <algorithm>
 
