@@ -124,6 +124,27 @@ TEST(SampleCt, LooksLikeAChest) {
   EXPECT_GT(static_cast<double>(bone) * plain().image.geometry.voxelMm3(), 250e3);
 }
 
+TEST(SampleCt, FissuresAreThinSheets) {
+  for (const SampleFissure& fissure : chest().fissures) {
+    std::vector<int> on;
+    std::vector<int> beside;
+    for (const Vec3& p : fissure.points) {
+      const Vec3 off(0.0, 0.0, 6.0 * fissure.steepness(p.x(), p.y()));
+      on.push_back(huAt(plain(), p));
+      beside.push_back(huAt(plain(), p + off));
+      beside.push_back(huAt(plain(), p - off));
+    }
+    const auto middle = [](std::vector<int> values) {
+      std::ranges::nth_element(values, values.begin() + std::ssize(values) / 2);
+      return values[values.size() / 2];
+    };
+    // 0.6 mm of tissue in voxels of 2.5 x 2.5 x 3 mm.
+    EXPECT_GT(middle(on), middle(beside) + 100) << fissure.name;
+    EXPECT_LT(middle(on), middle(beside) + 250) << fissure.name;
+    EXPECT_NEAR(middle(beside), -868, 20) << fissure.name;
+  }
+}
+
 TEST(SampleCt, AirwaysOfTheTreeAreLumen) {
   EXPECT_EQ(plain().central.size(), chest().central.size());
   EXPECT_GT(plain().airways.size(), 60U);

@@ -12,6 +12,7 @@ namespace {
 double parenchymaHu(const Vec3& p) { return -868.0 + 0.22 * (p.y() - 10.0); }
 
 constexpr double CollapsedHu = 35.0;
+constexpr double FissureHu = 40.0;
 
 /// Below this height the left lung is collapsed, if it is; higher at the back.
 double collapsedBelow(const Vec3& p) { return -75.0 + 0.35 * p.y(); }
@@ -57,6 +58,30 @@ std::function<double(const Vec3&)> lungLevel(Side side, double touchingMm,
   };
 }
 
+/// Positive in a thin sheet along a fissure; at most the distance to its wall.
+double sheetLevel(const SampleFissure& fissure, const Vec3& p) {
+  constexpr double HalfMm = 0.3;
+  constexpr double NearMm = 1.5;  // where the surface can be taken for flat
+  const double off = std::abs(p.z() - fissure.zAt(p.x(), p.y()));
+  const double close = off / fissure.steepness(p.x(), p.y());
+  return HalfMm - (close < NearMm ? close : std::max(NearMm, off / fissure.steepest));
+}
+
+/// Two layers of pleura, where lobes meet.
+CtShape fissureShape(const SampleFissure& fissure, const SampleLung& lung,
+                     const std::function<double(const Vec3&)>& lungLevel) {
+  CtShape sheet;
+  sheet.box = lung.bounds();
+  sheet.hu = FissureHu;
+  sheet.labelledAsLung = true;
+  sheet.level = [=, horizontal = lung.horizontal && fissure.name == lung.horizontal->name,
+                 oblique = lung.oblique](const Vec3& p) {
+    const double level = std::min(sheetLevel(fissure, p), lungLevel(p));
+    return horizontal ? std::min(level, oblique.above(p)) : level;
+  };
+  return sheet;
+}
+
 }  // namespace
 
 CtBody lungShapes(const ThoraxVariant& variant, const std::shared_ptr<const ThoraxLevels>& levels) {
@@ -76,6 +101,10 @@ CtBody lungShapes(const ThoraxVariant& variant, const std::shared_ptr<const Thor
         return std::min(all(p), (collapsedBelow(p) - p.z()) / Steepest);
       };
       body.push_back(std::move(dense));
+    }
+    const SampleLung shape = sampleLung(side);
+    for (const SampleFissure& fissure : shape.fissures()) {
+      body.push_back(fissureShape(fissure, shape, lung.level));
     }
     body.push_back(std::move(lung));
   }
