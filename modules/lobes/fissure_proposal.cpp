@@ -16,8 +16,7 @@ constexpr double LongestMm = 1000.0;  ///< no lung is longer
 constexpr double EndShare = 0.005;
 constexpr double ScaleMm = 60.0;  ///< about the spread of a fissure's points
 
-/// 1, x, y, x^2, x y, y^2; z from 0 to 1.
-constexpr std::array<std::array<double, 6>, 3> Coefficients = {{
+constexpr std::array<BoxQuadratic, 3> Coefficients = {{
     {0.0459, -0.0966, 0.7688, 0.0653, 0.3284, -0.1840},   // right oblique
     {0.3455, 0.3020, 0.3868, -0.2494, -0.1037, -0.3251},  // right horizontal
     {0.1916, -0.3213, 0.7579, 0.1678, -0.0649, 0.1448},   // left oblique
@@ -57,8 +56,7 @@ LungBox lungBox(const TriangleMesh& lung) {
   return result;
 }
 
-HeightSurface proposedFissure(Fissure fissure, const LungBox& box) {
-  const std::array<double, 6>& c = Coefficients[static_cast<std::size_t>(fissure)];
+HeightSurface quadraticFissure(const BoxQuadratic& c, const LungBox& box) {
   const Vec3 size = box.high - box.low;
   const double x = ScaleMm / size.x();
   const double y = ScaleMm / size.y();
@@ -68,6 +66,10 @@ HeightSurface proposedFissure(Fissure fissure, const LungBox& box) {
   surface.quadratic = {c[0] * size.z(),         c[1] * x * size.z(),     c[2] * y * size.z(),
                        c[3] * x * x * size.z(), c[4] * x * y * size.z(), c[5] * y * y * size.z()};
   return surface;
+}
+
+HeightSurface proposedFissure(Fissure fissure, const LungBox& box) {
+  return quadraticFissure(Coefficients[static_cast<std::size_t>(fissure)], box);
 }
 
 }  // namespace pneuma
