@@ -8,6 +8,7 @@
 #include "core/error.h"
 #include "core/units.h"
 #include "geometry/surface_voxels.h"
+#include "geometry/untangling.h"
 #include "io/ct_file.h"
 #include "io/input_files.h"
 #include "io/volume_file.h"
@@ -161,21 +162,50 @@ LungModel openLungs(std::span<const fs::path> paths, const LungLabelOptions& lab
     const bool isLabels =
         isVolumeFile(paths[0]) && readVolumeHeader(paths[0]).scalarType == "uint8";
     if (isLabels) {
-      model = openLabels(paths[0], labels, progress);
+      model = openLabels(paths[0], labels, progress.part(0.0, 0.8, "reading labels"));
     } else {
       CtFile file = readCt(paths[0], {}, progress.part(0.0, 0.2, "reading"));
       const InputFile input = ctInput(paths[0], file, progress.part(0.2, 0.25, "hashing"));
       model = modelOf(std::move(file), paths[0]);
       model.inputs = {input};
       model = withLungs(model, {}, progress.part(0.25, 0.7, "finding the lungs"));
-      model = withSurfaces(model, {}, progress.part(0.7, 1.0, "drawing surfaces"));
+      model = withSurfaces(model, {}, progress.part(0.7, 0.8, "drawing surfaces"));
     }
   } else {
     model = openLobes(paths, progress.part(0.0, 0.5, "reading surfaces"));
-    model = withWholeLungs(model, progress.part(0.5, 1.0, "joining lobes"));
+    model = withWholeLungs(model, progress.part(0.5, 0.8, "joining lobes"));
   }
+  model = untangled(model, progress.part(0.8, 1.0, "examining"));
   requireSides(model);
   return model;
+}
+
+LungModel untangled(const LungModel& model, const Progress& progress) {
+  LungModel result = model;
+  auto surfaces = std::make_shared<std::vector<LobeSurface>>(*model.surfaces);
+  for (LobeSurface& lung : *surfaces) {
+    if (!lung.health.selfIntersectionsCounted) {
+      lung.health = examine(*lung.mesh, SelfIntersections::Ask, progress);
+    }
+    if (lung.health.selfIntersections == 0 || !lung.health.fitToGrow()) continue;
+    TriangleMesh mesh = *lung.mesh;
+    const Untangled parted = untangle(mesh, progress);
+    if (parted.pairsAfter > 0) {
+      throw InvalidInput("'" + lung.name +
+                         "' cannot be split: " + std::to_string(parted.pairsBefore) +
+                         " pairs of its triangles cut each other; mend it with 'pneuma repair'");
+    }
+    result.warnings.push_back(lung.name + ": " + std::to_string(parted.pairsBefore) +
+                              " pairs of triangles cut each other; " +
+                              std::to_string(parted.movedPoints) + " points were moved by up to " +
+                              fixed(parted.farthestMm, 2) + " mm to part them");
+    lung.mesh = std::make_shared<const TriangleMesh>(std::move(mesh));
+    lung.health = examine(*lung.mesh, SelfIntersections::Skip, progress);
+    lung.health.selfIntersectionsCounted = true;
+  }
+  result.surfaces = std::move(surfaces);
+  result.regions = nullptr;
+  return result;
 }
 
 LungModel withWholeLungs(const LungModel& model, const Progress& progress) {

@@ -28,7 +28,8 @@ struct LungLabelOptions {
 };
 
 /// Whole lungs to split, from whatever there is: a CT (its lungs are found), an image of labels,
-/// surfaces of whole lungs, or surfaces of lobes, which are joined by withWholeLungs().
+/// surfaces of whole lungs, or surfaces of lobes, which are joined by withWholeLungs(). They are
+/// untangled().
 /// @throws InvalidInput, InputMissing, Unsupported as the readers; Cancelled
 LungModel openLungs(std::span<const std::filesystem::path> paths,
                     const LungLabelOptions& labels = {}, const Progress& progress = {});
@@ -39,6 +40,11 @@ LungModel openLungs(std::span<const std::filesystem::path> paths,
 /// closed, and the lobes' volume is kept; a warning says so.
 /// @throws InvalidInput if a lobe of a lung is missing, or is open
 LungModel withWholeLungs(const LungModel& model, const Progress& progress = {});
+
+/// The same without triangles that cut each other: the few folds that surfaces drawn from voxels
+/// have are smoothed away, see untangle(); a warning says so.
+/// @throws InvalidInput if that does not help; Cancelled
+LungModel untangled(const LungModel& model, const Progress& progress = {});
 
 /// @throws InvalidInput if the right lung lies to the left of the left one
 void requireSides(const LungModel& model);
