@@ -288,6 +288,7 @@ TEST(Snapping, CanBeStoppedAtAnyMoment) {
   UsedFissures fissures = proposed(flat());
   std::vector<std::string> warnings;
   snapFissures(fissures, made.sheets, {}, {}, {}, warnings, progress.part(0.5, 1.0, "snapping"));
+  progress.throwIfStopped();  // the last look
   EXPECT_LT(watch.longestSeconds(), 0.2);
 }
 
