@@ -162,8 +162,8 @@ for name in planes equation surfaces points drawn; do
   keeps fissures
 done
 succeeds "a CT of thin slices" sample thin --ct --spacing 1.5 --thick 1.5 -q
-succeeds "its lungs" segment thin/ct.nii.gz -o thin/labels.nii.gz --surfaces thin/lungs -q
-succeeds "how much of fissures shows" lobes thin/lungs --ct thin/ct.nii.gz --labels thin/labels.nii.gz -o shown
+succeeds "its lungs" segment thin/ct.nii.gz -o thin/found.nii.gz --surfaces thin/lungs -q
+succeeds "how much of fissures shows" lobes thin/lungs --ct thin/ct.nii.gz --labels thin/found.nii.gz -o shown
 prints '^fissure .* shows'
 prints '^left-oblique +proposal .* [0-9]+ %'
 expect "the patch says nothing of the fissure" grep -q on_fissure shown/fissures/left-oblique.vtp
