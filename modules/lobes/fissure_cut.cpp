@@ -15,12 +15,15 @@ constexpr double RootMm = 1e-9;
 constexpr double NearestEnd = 1e-6;  ///< a new point keeps this share of its edge from the ends
 constexpr int RootSteps = 60;
 constexpr int UnpinchRounds = 20;
+constexpr int ChordRounds = 6;
 constexpr double FreeOfLoops = 0.7;  ///< spacings that the cap's points keep from its rim
 constexpr std::size_t Chunk = 4096;
 
 using Edge = std::array<std::uint32_t, 2>;
 
 std::uint64_t keyOf(const Edge& edge) { return (std::uint64_t{edge[0]} << 32U) | edge[1]; }
+
+Edge undirected(std::uint32_t a, std::uint32_t b) { return {std::min(a, b), std::max(a, b)}; }
 
 class Cutter {
  public:
@@ -194,6 +197,18 @@ class Cutter {
     }
   }
 
+  /// Calls `f(edge)` for the edges of the complex whose ends both lie on the cut.
+  template <class F>
+  void forEachEdgeOnCut(F&& f) const {
+    for (const Facet& facet : complex_.facets) {
+      for (std::size_t e = 0; e < 3; ++e) {
+        const Edge edge = undirected(facet.corners[e], facet.corners[(e + 1) % 3]);
+        const auto isOn = [&](std::uint32_t v) { return side_[v] == 0 && isOfRegion(v); };
+        if (isOn(edge[0]) && isOn(edge[1])) f(edge);
+      }
+    }
+  }
+
   Loops findLoops() const {
     std::vector<Edge> half;  // of the part below, along the cut
     for (std::size_t f = 0; f < complex_.facets.size(); ++f) {
@@ -241,6 +256,37 @@ class Cutter {
     return points;
   }
 
+  /// Triangles inside the loops. Two points of the rim that an edge of the surface joins beside the
+  /// loops must not be joined by the cap as well, or four triangles would share that edge: the cap
+  /// gets a point in the middle there.
+  std::optional<PlanarTriangulation> capOver(const std::vector<Vec2>& rim,
+                                             const std::vector<Edge>& loops,
+                                             const std::vector<std::uint32_t>& vertexOf) const {
+    std::unordered_map<std::uint64_t, int> loopEdges;
+    for (const Edge& edge : loops) ++loopEdges[keyOf(undirected(edge[0], edge[1]))];
+    std::unordered_map<std::uint64_t, int> surfaceEdges;
+    forEachEdgeOnCut([&](const Edge& edge) { ++surfaceEdges[keyOf(edge)]; });
+    std::vector<WantedPoint> wanted = grid(rim);
+    for (int round = 0; round < ChordRounds; ++round) {
+      auto cap = triangulateInside(rim, loops, wanted);
+      if (!cap) return cap;
+      const std::size_t before = wanted.size();
+      for (const auto& t : cap->triangles) {
+        for (std::size_t e = 0; e < 3; ++e) {
+          const auto [a, b] = undirected(t[e], t[(e + 1) % 3]);
+          if (b >= rim.size() || loopEdges.contains(keyOf({a, b}))) continue;
+          const Edge joined = undirected(vertexOf[a], vertexOf[b]);
+          // Both triangles of the cap see it; one point is enough.
+          if (surfaceEdges.contains(keyOf(joined)) && t[e] < t[(e + 1) % 3]) {
+            wanted.push_back({(rim[a] + rim[b]) / 2.0, 0.0});
+          }
+        }
+      }
+      if (wanted.size() == before) return cap;
+    }
+    return std::nullopt;
+  }
+
   /// Closes both parts. False if the loops have no inside, seen along the normal.
   bool close(const Loops& loops) {
     std::unordered_map<std::uint32_t, std::uint32_t> indexOf;
@@ -260,7 +306,7 @@ class Cutter {
       }
       edges.push_back(planar);
     }
-    const auto cap = triangulateInside(rim, edges, grid(rim));
+    const auto cap = capOver(rim, edges, vertexOf);
     if (!cap) return false;
     cut_.firstCapFacet = complex_.facets.size();
     for (std::size_t i = rim.size(); i < cap->points.size(); ++i) {
