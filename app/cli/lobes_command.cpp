@@ -1,7 +1,6 @@
 #include <cctype>
 #include <iostream>
 #include <memory>
-#include <sstream>
 
 #include "cli/arguments.h"
 #include "cli/command.h"
@@ -9,6 +8,7 @@
 #include "cli/text.h"
 #include "io/atomic_file.h"
 #include "io/surface_file.h"
+#include "pipeline/lobe_shares.h"
 #include "pipeline/report.h"
 #include "pipeline/split_lobes.h"
 
@@ -25,37 +25,6 @@ struct LobesArguments {
   std::string fractions;
   LobeOptions options;
 };
-
-LobeShares sharesOf(const std::string& text, std::size_t count) {
-  LobeShares shares;
-  std::istringstream parts(text);
-  for (std::string part; std::getline(parts, part, ',');) {
-    try {
-      std::size_t used = 0;
-      shares.push_back(std::stod(part, &used) / 100.0);
-      if (used != part.size()) shares.clear();
-    } catch (const std::exception&) {
-      shares.clear();
-    }
-    if (shares.empty()) break;
-  }
-  if (shares.size() == count) return shares;
-  throw InvalidOption("--fractions takes RUL,RML,RLL or RUL,RML,RLL/LUL,LLL in percent, not '" +
-                      text + "'");
-}
-
-/// "40.5,12.9,46.6/50,50"; "usual" for what most people have.
-std::map<Side, LobeShares> fractionsOf(const std::string& text) {
-  if (text.empty()) return {};
-  if (text == "usual") {
-    return {{Side::Right, usualShares(Side::Right)}, {Side::Left, usualShares(Side::Left)}};
-  }
-  const std::size_t slash = text.find('/');
-  std::map<Side, LobeShares> shares;
-  shares[Side::Right] = sharesOf(text.substr(0, slash), 3);
-  if (slash != std::string::npos) shares[Side::Left] = sharesOf(text.substr(slash + 1), 2);
-  return shares;
-}
 
 std::string lobeFile(Lobe lobe) {
   std::string name(shortName(lobe));
@@ -129,7 +98,7 @@ void writeAll(const std::filesystem::path& folder, const std::vector<std::filesy
 ExitCode runLobes(const LobesArguments& arguments, const CommonOptions& common,
                   const Progress& progress) {
   LobeInputs inputs;
-  inputs.shares = fractionsOf(arguments.fractions);
+  inputs.shares = lobeSharesOfText(arguments.fractions);
   requireFolderOutput(common.output);
   if (!arguments.fissures.empty()) inputs.given = readFissures(arguments.fissures);
   LungModel model = openLobes(arguments.lungs, progress.part(0.0, 0.3, "reading surfaces"));

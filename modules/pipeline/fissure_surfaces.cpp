@@ -5,7 +5,6 @@
 
 #include "core/error.h"
 #include "lobes/fissure_fit.h"
-#include "lobes/fissure_proposal.h"
 #include "pipeline/figure_table.h"
 
 namespace pneuma {
@@ -21,8 +20,7 @@ std::string boxText(const Box3& box) {
   return axis(0) + ", " + axis(1) + ", " + axis(2) + " mm";
 }
 
-void requireNear(const GivenFissure& set, const TriangleMesh& lung, Fissure fissure) {
-  const Box3 box = bounds(lung);
+void requireNear(const GivenFissure& set, const Box3& box, Fissure fissure) {
   Box3 wide = box;
   wide.min().array() -= FarMm;
   wide.max().array() += FarMm;
@@ -40,11 +38,7 @@ void requireNear(const GivenFissure& set, const TriangleMesh& lung, Fissure fiss
 
 /// Says which points stand out, for people to look at; none is dropped.
 void warnOfSuspects(const UsedFissure& used, Fissure fissure, std::vector<std::string>& warnings) {
-  const double sum = std::accumulate(used.leftOutMm.begin(), used.leftOutMm.end(), 0.0);
-  for (std::size_t i = 0; i < used.leftOutMm.size(); ++i) {
-    const double others =
-        (sum - used.leftOutMm[i]) / static_cast<double>(used.leftOutMm.size() - 1);
-    if (used.leftOutMm[i] < SuspectMm || used.leftOutMm[i] < SuspectTimes * others) continue;
+  for (const std::size_t i : suspects(used)) {
     warnings.push_back("point " + std::to_string(i + 1) + " of the " +
                        std::string(longName(fissure)) + " lies " + fixed(used.leftOutMm[i], 1) +
                        " mm from where the others put it; look at it");
@@ -63,9 +57,8 @@ HeightSurface surfaceOf(const FissurePlane& plane) {
   return surface;
 }
 
-UsedFissure usedFissure(Fissure fissure, const TriangleMesh& lung, const LungBox& box,
-                        const GivenFissures& all, const LobeOptions& options,
-                        std::vector<std::string>& warnings) {
+UsedFissure usedFissure(Fissure fissure, const LungExtent& lung, const GivenFissures& all,
+                        const LobeOptions& options, std::vector<std::string>& warnings) {
   UsedFissure used;
   const auto found = all.find(fissure);
   if (found != all.end() && found->second.plane) {
@@ -73,10 +66,10 @@ UsedFissure usedFissure(Fissure fissure, const TriangleMesh& lung, const LungBox
     used.surface = surfaceOf(*found->second.plane);
     return used;
   }
-  used.surface = proposedFissure(fissure, box);
+  used.surface = proposedFissure(fissure, lung.box);
   if (found == all.end()) return used;
   const GivenFissure& given = found->second;
-  requireNear(given, lung, fissure);
+  requireNear(given, lung.bounds, fissure);
   const FissureFitOptions fit{.smoothness = options.smoothness};
   const bool alone = given.points.size() >= PointsOfTheirOwn;
   used.source = alone ? FissureSource::Points : FissureSource::BentProposal;
@@ -93,12 +86,30 @@ UsedFissure usedFissure(Fissure fissure, const TriangleMesh& lung, const LungBox
 
 }  // namespace
 
+std::vector<std::size_t> suspects(const UsedFissure& used) {
+  std::vector<std::size_t> suspects;
+  const double sum = std::accumulate(used.leftOutMm.begin(), used.leftOutMm.end(), 0.0);
+  for (std::size_t i = 0; i < used.leftOutMm.size(); ++i) {
+    const double others =
+        (sum - used.leftOutMm[i]) / static_cast<double>(used.leftOutMm.size() - 1);
+    if (used.leftOutMm[i] < SuspectMm || used.leftOutMm[i] < SuspectTimes * others) continue;
+    suspects.push_back(i);
+  }
+  return suspects;
+}
+
+LungExtent extentOf(const TriangleMesh& lung) { return {bounds(lung), lungBox(lung)}; }
+
 UsedFissures fissureSurfaces(const TriangleMesh& lung, Side side, const GivenFissures& given,
                              const LobeOptions& options, std::vector<std::string>& warnings) {
-  const LungBox box = lungBox(lung);
+  return fissureSurfaces(extentOf(lung), side, given, options, warnings);
+}
+
+UsedFissures fissureSurfaces(const LungExtent& lung, Side side, const GivenFissures& given,
+                             const LobeOptions& options, std::vector<std::string>& warnings) {
   UsedFissures used;
   for (const Fissure fissure : fissuresOf(side)) {
-    used[fissure] = usedFissure(fissure, lung, box, given, options, warnings);
+    used[fissure] = usedFissure(fissure, lung, given, options, warnings);
   }
   return used;
 }

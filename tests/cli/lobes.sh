@@ -57,7 +57,7 @@ echo '{' >broken.json
 refuses "no JSON" 4 'no JSON near byte' lobes lungs --fissures broken.json -o nowhere
 refuses "points that are not there" 3 'absent' lobes lungs --fissures absent.json -o nowhere
 refuses "points in another format" 5 'cannot be read as points' lobes lungs --fissures lungs/left.vtp -o nowhere
-refuses "fractions that are none" 2 'fractions takes' lobes lungs --fractions 30,40 -o nowhere
+refuses "fractions that are none" 2 'fractions are' lobes lungs --fractions 30,40 -o nowhere
 refuses "fractions that do not add up" 4 'sum up to 100' lobes lungs --fractions 30,40,50 -o nowhere
 refuses "a file for a folder" 6 'is a file' lobes lungs -o points.json
 finish
