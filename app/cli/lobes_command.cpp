@@ -1,6 +1,5 @@
 #include <iostream>
 #include <memory>
-#include <sstream>
 
 #include "cli/arguments.h"
 #include "cli/command.h"
@@ -11,6 +10,7 @@
 #include "pipeline/ct_model.h"
 #include "pipeline/lobe_files.h"
 #include "pipeline/lobe_labels.h"
+#include "pipeline/lobe_shares.h"
 #include "pipeline/report.h"
 #include "pipeline/split_lobes.h"
 #include "pipeline/whole_lungs.h"
@@ -33,37 +33,6 @@ struct LobesArguments {
   SnapOptions snapOptions;
 };
 
-LobeShares sharesOf(const std::string& text, std::size_t count) {
-  LobeShares shares;
-  std::istringstream parts(text);
-  for (std::string part; std::getline(parts, part, ',');) {
-    try {
-      std::size_t used = 0;
-      shares.push_back(std::stod(part, &used) / 100.0);
-      if (used != part.size()) shares.clear();
-    } catch (const std::exception&) {
-      shares.clear();
-    }
-    if (shares.empty()) break;
-  }
-  if (shares.size() == count) return shares;
-  throw InvalidOption("--fractions takes RUL,RML,RLL or RUL,RML,RLL/LUL,LLL in percent, not '" +
-                      text + "'");
-}
-
-/// "40.5,12.9,46.6/50,50"; "usual" for what most people have.
-std::map<Side, LobeShares> fractionsOf(const std::string& text) {
-  if (text.empty()) return {};
-  if (text == "usual") {
-    return {{Side::Right, usualShares(Side::Right)}, {Side::Left, usualShares(Side::Left)}};
-  }
-  const std::size_t slash = text.find('/');
-  std::map<Side, LobeShares> shares;
-  shares[Side::Right] = sharesOf(text.substr(0, slash), 3);
-  if (slash != std::string::npos) shares[Side::Left] = sharesOf(text.substr(slash + 1), 2);
-  return shares;
-}
-
 LungModel openedCt(const LobesArguments& arguments, const Progress& progress) {
   CtFile file = readCt(arguments.ct, {}, progress.part(0.0, 0.8, "reading the CT"));
   if (arguments.snap) requireThinSlices(file.image);
@@ -76,7 +45,7 @@ LungModel openedCt(const LobesArguments& arguments, const Progress& progress) {
 ExitCode runLobes(const LobesArguments& arguments, const CommonOptions& common,
                   const Progress& progress) {
   LobeInputs inputs;
-  inputs.shares = fractionsOf(arguments.fractions);
+  inputs.shares = lobeSharesOfText(arguments.fractions);
   if (arguments.snap) {
     if (!inputs.shares.empty()) {
       throw InvalidOption("--fractions would move the fissures off what --snap finds; leave one");

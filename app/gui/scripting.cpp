@@ -50,6 +50,27 @@ void clickAt(QWidget& target, const QPoint& at) {
   for (QMouseEvent* event : {&down, &up}) QApplication::sendEvent(&target, event);
 }
 
+/// In some moves, as a hand would.
+void dragTo(QWidget& target, const QPoint& from, const QPoint& to) {
+  constexpr int Moves = 4;
+  const auto send = [&](QEvent::Type type, const QPoint& at, Qt::MouseButton button,
+                        Qt::MouseButtons buttons) {
+    QMouseEvent event(type, at, target.mapToGlobal(at), button, buttons, Qt::NoModifier);
+    QApplication::sendEvent(&target, &event);
+  };
+  send(QEvent::MouseButtonPress, from, Qt::LeftButton, Qt::LeftButton);
+  for (int i = 1; i <= Moves; ++i) {
+    send(QEvent::MouseMove, from + (to - from) * i / Moves, Qt::NoButton, Qt::LeftButton);
+    spin(0.02);
+  }
+  send(QEvent::MouseButtonRelease, to, Qt::LeftButton, Qt::NoButton);
+}
+
+Vec3 pointOf(const QJsonValue& value) {
+  const QJsonArray point = value.toArray();
+  return {point[0].toDouble(), point[1].toDouble(), point[2].toDouble()};
+}
+
 void pointAt(QWidget& target, const QPoint& at) {
   QMouseEvent move(QEvent::MouseMove, at, target.mapToGlobal(at), Qt::NoButton, Qt::NoButton,
                    Qt::NoModifier);
@@ -116,6 +137,10 @@ void ScriptPlayer::perform(const QJsonObject& step) {
     clickBranch(step[QStringLiteral("index")].toInt());
   } else if (what == QLatin1String("click-point")) {
     clickPoint(step);
+  } else if (what == QLatin1String("drag-point")) {
+    dragPoint(step);
+  } else if (what == QLatin1String("drag-mark")) {
+    dragMark(step);
   } else if (what == QLatin1String("wheel")) {
     turnWheel(name, step[QStringLiteral("notches")].toInt());
   } else if (what == QLatin1String("resize")) {
@@ -219,12 +244,26 @@ void ScriptPlayer::clickBranch(int index) const {
 
 void ScriptPlayer::clickPoint(const QJsonObject& step) const {
   auto* view = qobject_cast<SliceView*>(widget(step[QStringLiteral("name")].toString()));
-  const QJsonArray point = step[QStringLiteral("point")].toArray();
   if (view == nullptr || window_.slices().empty()) fail(QStringLiteral("there is no slice"));
-  const QPoint at =
-      view->positionOf(Vec3(point[0].toDouble(), point[1].toDouble(), point[2].toDouble()));
+  const QPoint at = view->positionOf(pointOf(step[QStringLiteral("point")]));
   pointAt(*view, at);
   clickAt(*view, at);
+}
+
+void ScriptPlayer::dragPoint(const QJsonObject& step) const {
+  auto* view = qobject_cast<SliceView*>(widget(step[QStringLiteral("name")].toString()));
+  if (view == nullptr || window_.slices().empty()) fail(QStringLiteral("there is no slice"));
+  dragTo(*view, view->positionOf(pointOf(step[QStringLiteral("from")])),
+         view->positionOf(pointOf(step[QStringLiteral("to")])));
+}
+
+void ScriptPlayer::dragMark(const QJsonObject& step) const {
+  const std::vector<FissureEditor::Mark> marks = window_.fissures().marks();
+  const auto index = static_cast<std::size_t>(step[QStringLiteral("index")].toInt());
+  if (index >= marks.size()) fail(QStringLiteral("there is no such mark"));
+  const QPoint from = window_.view().positionOf(marks[index].place);
+  const QJsonArray by = step[QStringLiteral("by")].toArray();
+  dragTo(*window_.view().canvas(), from, from + QPoint(by[0].toInt(), by[1].toInt()));
 }
 
 void ScriptPlayer::turnWheel(const QString& name, int notches) const {
@@ -260,6 +299,13 @@ QVariant ScriptPlayer::observed(const QJsonObject& step) const {
   if (state == QLatin1String("lungs")) {
     const auto& lungs = document.model().lungs;
     return lungs ? lungs->right.volumeMl + lungs->left.volumeMl : 0.0;
+  }
+  if (state == QLatin1String("surfaces")) {
+    const auto& surfaces = document.model().surfaces;
+    return static_cast<int>(surfaces ? surfaces->size() : 0);
+  }
+  if (state == QLatin1String("marks")) {
+    return static_cast<int>(window_.fissures().marks().size());
   }
   if (state == QLatin1String("axial")) {
     return window_.slices().empty() ? -1 : window_.slices().slice(SlicePlane::Axial);

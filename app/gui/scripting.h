@@ -20,9 +20,10 @@ class ScriptError : public std::runtime_error {
 /// Plays a list of steps on the window as a person would: `pneuma-desktop --play FILE`. For tests
 /// and for the pictures of the manual. Steps are JSON objects, each with "do":
 ///   open {paths}, click {name}, trigger {name}, set {name, value}, key {name, keys}, wait
-///   {seconds}, pause {seconds}, click-branch {index}, click-point {name, point: [x, y, z]}, wheel
-///   {name, notches}, resize {width, height}, screenshot {file}, expect {name, property | state,
-///   equals | contains | above | below}, wait-until {the same, seconds}
+///   {seconds}, pause {seconds}, click-branch {index}, click-point {name, point: [x, y, z]},
+///   drag-point {name, from, to}, drag-mark {index, by: [right, down]}, wheel {name, notches},
+///   resize {width, height}, screenshot {file}, expect {name, property | state, equals | contains |
+///   above | below}, wait-until {the same, seconds}
 /// `name` is a widget's or action's object name. ${NAME} in a text is an environment variable,
 /// ${OUT} the folder of the screenshots.
 class ScriptPlayer {
@@ -39,6 +40,8 @@ class ScriptPlayer {
   QVariant observed(const QJsonObject& step) const;
   void set(const QJsonObject& step) const;
   void clickPoint(const QJsonObject& step) const;
+  void dragPoint(const QJsonObject& step) const;
+  void dragMark(const QJsonObject& step) const;
   void turnWheel(const QString& name, int notches) const;
   void clickBranch(int index) const;
   void screenshot(const QString& name) const;

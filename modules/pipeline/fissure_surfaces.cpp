@@ -9,7 +9,6 @@
 #include "core/error.h"
 #include "geometry/surface_domain.h"
 #include "lobes/fissure_fit.h"
-#include "lobes/fissure_proposal.h"
 #include "lobes/patch_surface.h"
 #include "pipeline/figure_table.h"
 
@@ -31,6 +30,7 @@ std::string boxText(const Box3& box) {
 /// Where a fissure is to lie.
 struct FissurePlace {
   const TriangleMesh& region;
+  Box3 box;                ///< of the region
   std::string regionName;  ///< "lung", "lobe"
   std::string what;        ///< the fissure's name in sentences
   std::optional<HeightSurface> proposal;
@@ -38,7 +38,7 @@ struct FissurePlace {
 };
 
 void requireNear(std::span<const Vec3> points, const FissurePlace& place) {
-  const Box3 box = bounds(place.region);
+  const Box3& box = place.box;
   Box3 wide = box;
   wide.min().array() -= FarMm;
   wide.max().array() += FarMm;
@@ -57,11 +57,7 @@ void requireNear(std::span<const Vec3> points, const FissurePlace& place) {
 /// Says which points stand out, for people to look at; none is dropped.
 void warnOfSuspects(const UsedFissure& used, const std::string& what,
                     std::vector<std::string>& warnings) {
-  const double sum = std::accumulate(used.leftOutMm.begin(), used.leftOutMm.end(), 0.0);
-  for (std::size_t i = 0; i < used.leftOutMm.size(); ++i) {
-    const double others =
-        (sum - used.leftOutMm[i]) / static_cast<double>(used.leftOutMm.size() - 1);
-    if (used.leftOutMm[i] < SuspectMm || used.leftOutMm[i] < SuspectTimes * others) continue;
+  for (const std::size_t i : suspects(used)) {
     warnings.push_back("point " + std::to_string(i + 1) + " of the " + what + " lies " +
                        fixed(used.leftOutMm[i], 1) +
                        " mm from where the others put it; look at it");
@@ -150,15 +146,37 @@ UsedFissure usedFissure(const GivenFissure& given, const FissurePlace& place,
 
 }  // namespace
 
+std::vector<std::size_t> suspects(const UsedFissure& used) {
+  std::vector<std::size_t> suspects;
+  const double sum = std::accumulate(used.leftOutMm.begin(), used.leftOutMm.end(), 0.0);
+  for (std::size_t i = 0; i < used.leftOutMm.size(); ++i) {
+    const double others =
+        (sum - used.leftOutMm[i]) / static_cast<double>(used.leftOutMm.size() - 1);
+    if (used.leftOutMm[i] < SuspectMm || used.leftOutMm[i] < SuspectTimes * others) continue;
+    suspects.push_back(i);
+  }
+  return suspects;
+}
+
+LungExtent extentOf(const TriangleMesh& lung) { return {&lung, bounds(lung), lungBox(lung)}; }
+
 UsedFissures fissureSurfaces(const TriangleMesh& lung, Side side, const GivenFissures& given,
                              const LobeOptions& options, std::vector<std::string>& warnings) {
-  const LungBox box = lungBox(lung);
+  return fissureSurfaces(extentOf(lung), side, given, options, warnings);
+}
+
+UsedFissures fissureSurfaces(const LungExtent& lung, Side side, const GivenFissures& given,
+                             const LobeOptions& options, std::vector<std::string>& warnings) {
   UsedFissures used;
   for (const Fissure fissure : fissuresOf(side)) {
     // The horizontal fissure ends at the oblique one, which comes first.
     const HeightSurface* floor = used.empty() ? nullptr : &used.begin()->second.surface;
-    const FissurePlace place{lung, "lung", std::string(longName(fissure)),
-                             proposedFissure(fissure, box), floor};
+    const FissurePlace place{*lung.mesh,
+                             lung.bounds,
+                             "lung",
+                             std::string(longName(fissure)),
+                             proposedFissure(fissure, lung.box),
+                             floor};
     const auto found = given.find(fissure);
     if (found != given.end()) {
       used[fissure] = usedFissure(found->second, place, options, warnings);
@@ -171,7 +189,8 @@ UsedFissures fissureSurfaces(const TriangleMesh& lung, Side side, const GivenFis
 
 UsedFissure accessorySurface(const AccessoryFissure& fissure, const TriangleMesh& lobe,
                              const LobeOptions& options, std::vector<std::string>& warnings) {
-  const FissurePlace place{lobe, "lobe", "accessory fissure " + fissure.name, {}, nullptr};
+  const FissurePlace place{lobe, bounds(lobe), "lobe", "accessory fissure " + fissure.name,
+                           {},   nullptr};
   return usedFissure(fissure.fissure, place, options, warnings);
 }
 

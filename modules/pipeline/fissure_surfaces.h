@@ -11,6 +11,7 @@
 #include "core/options.h"
 #include "core/triangle_mesh.h"
 #include "io/fissure_file.h"
+#include "lobes/fissure_proposal.h"
 #include "lobes/lobe_splitting.h"
 
 namespace pneuma {
@@ -54,16 +55,33 @@ struct UsedFissure {
   double largestMm = 0.0;          ///< largest; of a surface from a file, of its points
 };
 
+/// Which points stand out from the others so far that somebody should look at them.
+std::vector<std::size_t> suspects(const UsedFissure& used);
+
 using UsedFissures = std::map<Fissure, UsedFissure>;
+
+/// Where a lung is: what proposals follow, and what points must lie near to.
+struct LungExtent {
+  const TriangleMesh* mesh = nullptr;  ///< has to live as long
+  Box3 bounds;
+  LungBox box;
+};
+
+/// @throws as lungBox()
+LungExtent extentOf(const TriangleMesh& lung);
 
 /// The surfaces of a lung's fissures. One given by six points or more is a thin-plate spline over
 /// their best plane; with fewer the proposal of the lung's shape is bent through them; one that is
-/// not given is the proposal. Takes milliseconds.
+/// not given is the proposal.
 /// @param lung closed, oriented outwards, LPS, mm
 /// @param warnings gets whole sentences, for example on points that stand out
 /// @throws InvalidInput if points lie far from the lung, a plane stands upright so that neither
 /// side is above, a surface from a file ends inside the lung, and as fitFissure() and fitPatch()
 UsedFissures fissureSurfaces(const TriangleMesh& lung, Side side, const GivenFissures& given,
+                             const LobeOptions& options, std::vector<std::string>& warnings);
+
+/// The same in a lung that was measured before.
+UsedFissures fissureSurfaces(const LungExtent& lung, Side side, const GivenFissures& given,
                              const LobeOptions& options, std::vector<std::string>& warnings);
 
 /// The surface of one more fissure in a lobe. There is no proposal: points alone make it.

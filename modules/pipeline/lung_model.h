@@ -18,6 +18,8 @@
 
 namespace pneuma {
 
+struct LobesOfLungs;
+
 /// A file that was read, for the record.
 struct InputFile {
   std::string path;
@@ -49,9 +51,13 @@ struct LungModel {
   std::shared_ptr<const LabelImage> labels;       ///< lungs and airways in it; null until found
   std::shared_ptr<const LungSegmentation> lungs;  ///< how they were found; null if labels were read
   std::shared_ptr<const std::vector<LobeSurface>> surfaces;  ///< null for a built-in organ
-  std::shared_ptr<const std::vector<LobeRegion>> regions;    ///< null until growth needs them
-  std::shared_ptr<const AirwayTree> central;                 ///< null if there are no airways yet
-  std::shared_ptr<const Growth> growth;                      ///< null until grown
+  std::shared_ptr<const std::vector<LobeSurface>>
+      wholeLungs;                                          ///< what `surfaces` were before they
+                                                           ///< were split; null if they were not
+  std::shared_ptr<const LobesOfLungs> lobes;               ///< how they were split; null likewise
+  std::shared_ptr<const std::vector<LobeRegion>> regions;  ///< null until growth needs them
+  std::shared_ptr<const AirwayTree> central;               ///< null if there are no airways yet
+  std::shared_ptr<const Growth> growth;                    ///< null until grown
   std::shared_ptr<const AirwayTree> opened;  ///< a tree that was opened to be looked at
   EfficiencyCubes cubes;                     ///< in which the paper's C_n is counted
   std::vector<InputFile> inputs;

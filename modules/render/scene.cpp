@@ -16,6 +16,7 @@
 #include "render/annotations.h"
 #include "render/branch_picker.h"
 #include "render/camera.h"
+#include "render/fissure_layer.h"
 #include "render/lighting.h"
 #include "render/preview_layer.h"
 #include "render/surface_layer.h"
@@ -24,6 +25,7 @@ namespace pneuma {
 namespace {
 
 constexpr double PickTolerancePixels = 4.0;
+constexpr double MarkTolerancePixels = 9.0;
 constexpr double LogicalDpi = 72.0;
 
 /// A window's size in logical pixels.
@@ -69,6 +71,7 @@ struct Scene::State {
   SurfaceLayer surfaces{renderer};
   AirwayLayer airways{renderer};
   PreviewLayer preview{renderer};
+  FissureLayer fissures{renderer};
   Annotations annotations{overlayRenderer};
   SceneOptions options;
 
@@ -87,6 +90,7 @@ struct Scene::State {
     airways.setOptions(options);
     surfaces.setOptions(options, !colouredByLobe());
     preview.setOptions(options);
+    fissures.setOptions(options);
     setBackground(renderer, options.background);
   }
 
@@ -94,11 +98,21 @@ struct Scene::State {
     if (!options.legend) return {};
     if (!colouredByLobe()) return airways.legend();
     std::set<Lobe> lobes;
+    for (const FissureScene::Lung& lung : fissures.scene().lungs) {
+      if (!lung.visible) continue;
+      for (const Lobe lobe : FiveLobes) {
+        if (side(lobe) == lung.side) lobes.insert(lobe);
+      }
+    }
+    if (fissures.empty()) addLobes(lobes);
+    lobes.insert(airways.lobes().begin(), airways.lobes().end());
+    return lobeLegend(lobes, options.palette, options.background);
+  }
+
+  void addLobes(std::set<Lobe>& lobes) const {
     for (const SceneSurface& surface : surfaces.surfaces()) {
       if (surface.visible) lobes.insert(surface.lobe);
     }
-    lobes.insert(airways.lobes().begin(), airways.lobes().end());
-    return lobeLegend(lobes, options.palette, options.background);
   }
 
   std::vector<Vec3> pointsToFrame() const {
@@ -119,6 +133,30 @@ struct Scene::State {
       }
     }
     return points;
+  }
+
+  /// @pre the renderer is in a window
+  Projection projection() const {
+    const int* size = renderer->GetRenderWindow()->GetSize();
+    vtkMatrix4x4* matrix = renderer->GetActiveCamera()->GetCompositeProjectionTransformMatrix(
+        static_cast<double>(size[0]) / size[1], -1.0, 1.0);
+    Projection projection;
+    std::copy_n(matrix->GetData(), projection.clipFromWorld.size(),
+                projection.clipFromWorld.begin());
+    projection.width = size[0];
+    projection.height = size[1];
+    return projection;
+  }
+
+  double windowPixels(double logical) const {
+    return logical * renderer->GetRenderWindow()->GetDPI() / LogicalDpi;
+  }
+
+  Vec3 worldPoint(double x, double y, double depth) const {
+    renderer->SetDisplayPoint(x, y, depth);
+    renderer->DisplayToWorld();
+    const double* world = renderer->GetWorldPoint();
+    return Vec3(world[0], world[1], world[2]) / world[3];
   }
 
   void frame(const LogicalSize& size) {
@@ -179,6 +217,46 @@ void Scene::setSurfaceVisible(std::size_t index, bool visible) {
   state_->surfaces.setVisible(index, visible);
 }
 
+void Scene::setFissures(const FissureScene& fissures) {
+  state_->fissures.show(fissures, state_->options);
+  state_->surfaces.setShown(state_->fissures.empty());
+}
+
+std::optional<std::size_t> Scene::markAt(double x, double y) const {
+  const std::vector<FissureMark>& marks = state_->fissures.scene().marks;
+  if (marks.empty() || state_->renderer->GetRenderWindow() == nullptr) return std::nullopt;
+  const Projection projection = state_->projection();
+  const double reach = state_->windowPixels(MarkTolerancePixels);
+  std::optional<std::size_t> nearest;
+  double least = 0.0;
+  for (std::size_t i = 0; i < marks.size(); ++i) {
+    const Vec3 at = projection.project(marks[i].place);
+    if (at.z() <= 0.0 || std::hypot(at.x() - x, at.y() - y) > reach) continue;
+    if (nearest && at.z() > least) continue;
+    nearest = i;
+    least = at.z();
+  }
+  return nearest;
+}
+
+Vec3 Scene::markPlace(std::size_t mark) const { return state_->fissures.scene().marks[mark].place; }
+
+std::optional<Vec3> Scene::lungPointAt(double x, double y) const {
+  if (state_->renderer->GetRenderWindow() == nullptr) return std::nullopt;
+  const Vec3 from = state_->worldPoint(x, y, 0.0);
+  const Vec3 to = state_->worldPoint(x, y, 1.0);
+  const std::optional<double> share = state_->fissures.firstHit(from, to);
+  if (!share) return std::nullopt;
+  return from + *share * (to - from);
+}
+
+Vec3 Scene::pointBeside(double x, double y, const Vec3& other) const {
+  vtkRenderer* renderer = state_->renderer;
+  renderer->SetWorldPoint(other.x(), other.y(), other.z(), 1.0);
+  renderer->WorldToDisplay();
+  return state_->worldPoint(x, y, renderer->GetDisplayPoint()[2]);
+}
+
 void Scene::setTree(std::shared_ptr<const AirwayTree> tree) {
   state_->airways.setTree(std::move(tree), state_->options);
   state_->recolour();
@@ -236,15 +314,8 @@ std::optional<std::size_t> Scene::branchAt(double x, double y) const {
   const AirwayTree* tree = state_->airways.tree();
   vtkRenderWindow* window = state_->renderer->GetRenderWindow();
   if (tree == nullptr || window == nullptr) return std::nullopt;
-  const int* size = window->GetSize();
-  vtkMatrix4x4* matrix = state_->renderer->GetActiveCamera()->GetCompositeProjectionTransformMatrix(
-      static_cast<double>(size[0]) / size[1], -1.0, 1.0);
-  Projection projection;
-  std::copy_n(matrix->GetData(), projection.clipFromWorld.size(), projection.clipFromWorld.begin());
-  projection.width = size[0];
-  projection.height = size[1];
-  return branchUnder(*tree, state_->airways.visible(), state_->options.radiusScale, projection, x,
-                     y, PickTolerancePixels * window->GetDPI() / LogicalDpi);
+  return branchUnder(*tree, state_->airways.visible(), state_->options.radiusScale,
+                     state_->projection(), x, y, state_->windowPixels(PickTolerancePixels));
 }
 
 void Scene::updateAnnotations() {

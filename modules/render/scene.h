@@ -13,6 +13,7 @@
 #include "anatomy/airway_tree.h"
 #include "core/options.h"
 #include "core/triangle_mesh.h"
+#include "render/fissure_scene.h"
 
 class vtkRenderWindow;
 class vtkRenderer;
@@ -79,6 +80,21 @@ class Scene {
 
   void setSurfaces(std::vector<SceneSurface> surfaces);
   void setSurfaceVisible(std::size_t index, bool visible);
+
+  /// Lungs whose fissures are edited, in place of the surfaces; none: the surfaces again.
+  void setFissures(const FissureScene& fissures);
+
+  /// The mark at a pixel of the window (origin at the lower left), nearest to the viewer, by its
+  /// place in the list.
+  std::optional<std::size_t> markAt(double x, double y) const;
+
+  Vec3 markPlace(std::size_t mark) const;
+
+  /// The point of a lung whose fissures are edited under a pixel.
+  std::optional<Vec3> lungPointAt(double x, double y) const;
+
+  /// The point under a pixel that is as far from the viewer as another point.
+  Vec3 pointBeside(double x, double y, const Vec3& other) const;
 
   /// Null for no tree. The tree is kept, not copied.
   void setTree(std::shared_ptr<const AirwayTree> tree);

@@ -7,6 +7,7 @@
 #include "core/parallel.h"
 #include "render/colour_map.h"
 #include "render/slice_annotations.h"
+#include "render/slice_fissures.h"
 #include "render/slice_highlight.h"
 #include "render/tube_mesh.h"
 
@@ -150,9 +151,8 @@ std::vector<std::uint8_t> labelsOf(const LabelImage& labels, const SliceFrame& f
   return plane;
 }
 
-void drawLabels(const LabelImage& labels, const SliceFrame& frame, const SliceLook& look,
-                Picture& picture) {
-  const std::vector<std::uint8_t> plane = labelsOf(labels, frame);
+/// @param plane the label of every pixel
+void drawLabels(const std::vector<std::uint8_t>& plane, const SliceLook& look, Picture& picture) {
   std::array<Bytes, 256> colours{};
   for (std::size_t value = 0; value < colours.size(); ++value) {
     colours[value] = bytesOf(lobeColour(static_cast<Lobe>(value), Palette::Pneuma));
@@ -193,9 +193,15 @@ Picture slicePicture(const SliceContents& contents, const SliceFrame& frame,
   picture.rgb.resize(static_cast<std::size_t>(frame.width) *
                      static_cast<std::size_t>(frame.height) * 3);
   if (contents.ct != nullptr) drawCt(*contents.ct, frame, look, picture);
-  if (contents.labels != nullptr && look.labels != LabelStyle::Hidden) {
-    drawLabels(*contents.labels, frame, look, picture);
+  std::optional<FissureOverlay> fissures;
+  if (contents.fissures != nullptr) fissures.emplace(*contents.fissures, frame);
+  if (contents.labels != nullptr && (look.labels != LabelStyle::Hidden || fissures)) {
+    std::vector<std::uint8_t> labels = labelsOf(*contents.labels, frame);
+    if (fissures) fissures->split(labels);
+    if (look.labels != LabelStyle::Hidden) drawLabels(labels, look, picture);
+    if (fissures) fissures->drawLines(picture, labels, look.pixelRatio);
   }
+  if (fissures) fissures->drawMarks(picture, look.pixelRatio);
   annotate(picture, contents, frame, look);
   return picture;
 }

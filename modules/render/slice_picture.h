@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/image.h"
+#include "render/fissure_scene.h"
 #include "render/grey_window.h"
 #include "render/picture.h"
 #include "render/slice_frame.h"
@@ -47,6 +48,7 @@ struct SliceContents {
   const LabelImage* labels = nullptr;  ///< null: none
   std::vector<Vec3> markers{};         ///< ringed where they lie within half a slice
   std::optional<Vec3> crosshair{};
+  const SliceFissures* fissures = nullptr;  ///< drawn in the labels' lungs; null: none
 };
 
 /// Interpolates the CT linearly, averaging where pixels are larger than voxels; labels are the

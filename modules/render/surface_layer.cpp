@@ -30,7 +30,9 @@ constexpr const char* RimShader = R"(//VTK::Light::Impl
   gl_FragData[0].a = min(1.0, opacity * mix(0.40, 2.8, rim * rim));
 )";
 
-vtkSmartPointer<vtkActor> actorOf(const TriangleMesh& mesh) {
+}  // namespace
+
+vtkSmartPointer<vtkActor> veilOf(const TriangleMesh& mesh) {
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(polyDataOf(mesh));
   mapper->ScalarVisibilityOff();
@@ -54,7 +56,10 @@ vtkSmartPointer<vtkActor> actorOf(const TriangleMesh& mesh) {
   return actor;
 }
 
-}  // namespace
+double veilOpacity(const SceneOptions& options) {
+  const double gain = options.background == Background::Dark ? 1.0 : LightGroundGain;
+  return std::min(1.0, options.lobeOpacity * gain);
+}
 
 void SurfaceLayer::setSurfaces(std::vector<SceneSurface> surfaces, const SceneOptions& options) {
   for (const auto& actor : actors_) renderer_->RemoveActor(actor);
@@ -63,8 +68,8 @@ void SurfaceLayer::setSurfaces(std::vector<SceneSurface> surfaces, const SceneOp
   surfaces_ = std::move(surfaces);
   for (SceneSurface& surface : surfaces_) {
     if (surface.mesh == nullptr) surface.mesh = std::make_shared<const TriangleMesh>();
-    actors_.push_back(actorOf(*surface.mesh));
-    actors_.back()->SetVisibility(surface.visible);
+    actors_.push_back(veilOf(*surface.mesh));
+    actors_.back()->SetVisibility(surface.visible && shown_);
     centres_.push_back(surface.mesh->points.empty() ? Vec3(Vec3::Zero())
                                                     : Vec3(bounds(*surface.mesh).center()));
     renderer_->AddActor(actors_.back());
@@ -77,16 +82,22 @@ void SurfaceLayer::setSurfaces(std::vector<SceneSurface> surfaces, const SceneOp
 void SurfaceLayer::setVisible(std::size_t index, bool visible) {
   if (index >= surfaces_.size()) return;
   surfaces_[index].visible = visible;
-  actors_[index]->SetVisibility(visible);
+  actors_[index]->SetVisibility(visible && shown_);
+}
+
+void SurfaceLayer::setShown(bool shown) {
+  shown_ = shown;
+  for (std::size_t i = 0; i < actors_.size(); ++i) {
+    actors_[i]->SetVisibility(surfaces_[i].visible && shown_);
+  }
 }
 
 void SurfaceLayer::setOptions(const SceneOptions& options, bool neutral) {
-  const double gain = options.background == Background::Dark ? 1.0 : LightGroundGain;
   for (std::size_t i = 0; i < actors_.size(); ++i) {
     const Rgb colour = neutral ? NeutralTissue : lobeColour(surfaces_[i].lobe, options.palette);
     vtkProperty* property = actors_[i]->GetProperty();
     property->SetColor(colour.r, colour.g, colour.b);
-    property->SetOpacity(std::min(1.0, options.lobeOpacity * gain));
+    property->SetOpacity(veilOpacity(options));
   }
 }
 

@@ -11,6 +11,12 @@ class vtkRenderer;
 
 namespace pneuma {
 
+/// A closed surface as a veil: translucent, most where one looks straight at it.
+vtkSmartPointer<vtkActor> veilOf(const TriangleMesh& mesh);
+
+/// How opaque veils are on the background that there is.
+double veilOpacity(const SceneOptions& options);
+
 /// The translucent lobes of a scene.
 class SurfaceLayer {
  public:
@@ -18,6 +24,9 @@ class SurfaceLayer {
 
   void setSurfaces(std::vector<SceneSurface> surfaces, const SceneOptions& options);
   void setVisible(std::size_t index, bool visible);
+
+  /// Hides all of them for a while, or shows those that are visible again.
+  void setShown(bool shown);
 
   /// @param neutral true where the colours belong to the airways alone
   void setOptions(const SceneOptions& options, bool neutral);
@@ -33,6 +42,7 @@ class SurfaceLayer {
   std::vector<vtkSmartPointer<vtkActor>> actors_;
   std::vector<Vec3> centres_;
   std::vector<std::size_t> order_;
+  bool shown_ = true;
 };
 
 }  // namespace pneuma

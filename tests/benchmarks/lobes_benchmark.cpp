@@ -9,6 +9,7 @@
 #include "lobes/fissure_fit.h"
 #include "lobes/fissure_proposal.h"
 #include "lobes/lobe_splitting.h"
+#include "pipeline/lobe_preview.h"
 
 // Splitting lungs into lobes, beside the full check of the lung for self-intersections.
 namespace pneuma {
@@ -71,20 +72,35 @@ BENCHMARK(fullCheckOfBothLungs)
     ->Unit(benchmark::kMillisecond)
     ->MeasureProcessCPUTime();
 
-/// What a moved point costs: the fit, and the side of every point of the right lung.
-void sidesOfPoints(benchmark::State& state) {
-  const TriangleMesh& lung = lungOf(7);
-  const FissureSurfaces right = fissures(lung, Side::Right);
-  std::vector<char> side(lung.points.size());
-  for (auto _ : state) {
-    const HeightSurface& moved = right.at(Fissure::RightOblique);
-    for (std::size_t v = 0; v < side.size(); ++v) side[v] = moved.height(lung.points[v]) < 0.0;
-    benchmark::DoNotOptimize(side.data());
+/// What a moved point of the right oblique fissure costs: the fit, every point's lobe, contours and
+/// volumes; what is drawn of the fissure as well.
+void previewOfAMovedPoint(benchmark::State& state) {
+  const auto lung = std::make_shared<const LungShape>(
+      lungShape(std::make_shared<const TriangleMesh>(lungOf(7)), Side::Right));
+  LobePreview preview(lung, fissures(*lung->mesh, Side::Right));
+  std::vector<Vec3> points;
+  for (int i = 0; i < 12; ++i) {
+    points.push_back(preview.surface(Fissure::RightOblique).at({20.0 * (i % 4), 20.0 * (i / 4)}));
   }
-  state.counters["triangles"] = static_cast<double>(lung.triangles.size());
+  for (auto _ : state) {
+    points[5].z() += 0.1;
+    preview.set(Fissure::RightOblique, fitFissure(points));
+    benchmark::DoNotOptimize(preview.lobes());
+    for (const Fissure fissure : fissuresOf(Side::Right)) {
+      benchmark::DoNotOptimize(preview.contour(fissure));
+      if (state.range(0) != 0) benchmark::DoNotOptimize(preview.patch(fissure, 4.0));
+    }
+    benchmark::DoNotOptimize(preview.volumesMm3());
+  }
+  state.counters["triangles"] = static_cast<double>(lung->mesh->triangles.size());
 }
 
-BENCHMARK(sidesOfPoints)->Unit(benchmark::kMillisecond);
+BENCHMARK(previewOfAMovedPoint)
+    ->ArgName("patches")
+    ->Arg(0)
+    ->Arg(1)
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime();
 
 }  // namespace
 }  // namespace pneuma

@@ -210,7 +210,7 @@ cat >top.json <<'P'
 { "schema": "pneuma/fissures/1", "fissures": { "right-oblique": { "plane": { "point": [0, 0, 50], "normal": [0, 0, 1] } } } }
 P
 refuses "a fissure that touches" 4 'touches the lung and does not cross it' lobes ball --planes top.json -o nowhere
-refuses "fractions that are none" 2 'fractions takes' lobes lungs --fractions 30,40 -o nowhere
+refuses "fractions that are none" 2 'fractions are' lobes lungs --fractions 30,40 -o nowhere
 refuses "fractions that do not add up" 4 'sum up to 100' lobes lungs --fractions 30,40,50 -o nowhere
 refuses "a file for a folder" 6 'is a file' lobes lungs -o points.json
 finish

@@ -96,6 +96,8 @@ Document::Document(QObject* parent) : QObject(parent) {
   connect(&jobs_, &JobQueue::cancelled, this, [this](const QString& title) {
     emit said(tr("%1: stopped, nothing was changed").arg(title));
   });
+  connect(&jobs_, &JobQueue::busyChanged, this,
+          [this](bool busy) { splitting_ = splitting_ && busy; });
   // Whether something can be undone depends on the queue being idle.
   connect(&jobs_, &JobQueue::busyChanged, this, &Document::changed);
 }
@@ -110,7 +112,9 @@ void Document::setGrowthOptions(const GrowthOptions& options) {
 void Document::setGrowthMethod(std::size_t method) { setGrowthOptions(optionsOf_[method]); }
 
 bool Document::growthOutOfDate() const {
-  return snapshot_.model.growth && !(snapshot_.model.growth->options == growthOptions());
+  if (!snapshot_.model.growth) return false;
+  return !(snapshot_.model.growth->options == growthOptions()) ||
+         snapshot_.grownIn != snapshot_.model.surfaces;
 }
 
 bool Document::canGrow() const {
@@ -124,8 +128,8 @@ void Document::open(std::vector<std::filesystem::path> paths) {
       tr("Opening"), [this, paths = std::move(paths), open = snapshot_](const Progress& progress) {
         LungModel model = joined(open.model, openFiles(paths, progress.part(0.0, 0.95, "reading")));
         const QString name = nameOf(model);
-        Snapshot next = snapshotOf(std::move(model), name);
-        next.lungOptions = open.lungOptions;
+        Snapshot next = nextSnapshot(open, std::move(model));
+        next.name = name;
         return JobQueue::Continuation([this, next = std::move(next)] {
           emit said(tr("Opened %1").arg(whatWasRead(next.model)));
           become(next, tr("open"));
@@ -177,7 +181,7 @@ void Document::findLungs() {
     const auto start = std::chrono::steady_clock::now();
     const LungModel found = withLungs(model, options, progress.part(0.0, 0.7, "looking for air"));
     Snapshot next =
-        snapshotOf(withSurfaces(found, {}, progress.part(0.7, 1.0, "drawing surfaces")), name);
+        snapshotOf(withSurfaces(found, {}, progress.part(0.7, 0.95, "drawing surfaces")), name);
     next.lungOptions = options;
     return JobQueue::Continuation([this, next = std::move(next), seconds = secondsSince(start)] {
       emit said(tr("Found the lungs in %1: right %2, left %3")
@@ -190,19 +194,18 @@ void Document::findLungs() {
 }
 
 void Document::grow() {
-  jobs_.push(tr("Growing airways"), [this, before = snapshot_,
-                                     options = growthOptions()](const Progress& progress) {
-    Snapshot next = snapshotOf(pneuma::grow(before.model, options, progress), before.name);
-    next.lungOptions = before.lungOptions;
-    return JobQueue::Continuation([this, next = std::move(next)] {
-      const Growth& growth = *next.model.growth;
-      emit said(tr("Grown in %1: %2, %3")
-                    .arg(withUnit(growth.domainSeconds + growth.growSeconds, 1, "s"),
-                         counted(growth.result.tree.size(), "branch", "branches"),
-                         counted(next.figures->terminals, "terminal", "terminals")));
-      become(next, tr("grow airways"));
-    });
-  });
+  jobs_.push(tr("Growing airways"),
+             [this, before = snapshot_, options = growthOptions()](const Progress& progress) {
+               Snapshot next = nextSnapshot(before, pneuma::grow(before.model, options, progress));
+               return JobQueue::Continuation([this, next = std::move(next)] {
+                 const Growth& growth = *next.model.growth;
+                 emit said(tr("Grown in %1: %2, %3")
+                               .arg(withUnit(growth.domainSeconds + growth.growSeconds, 1, "s"),
+                                    counted(growth.result.tree.size(), "branch", "branches"),
+                                    counted(next.figures->terminals, "terminal", "terminals")));
+                 become(next, tr("grow airways"));
+               });
+             });
 }
 
 void Document::saveTree(const std::filesystem::path& path) {

@@ -40,7 +40,7 @@ class Document : public QObject {
 
   std::size_t growthMethodIndex() const { return method_; }
 
-  /// True if the tree shown was grown with other options than those set now.
+  /// True if the tree shown was grown with other options than those set now, or in other lobes.
   bool growthOutOfDate() const;
 
   /// True if there are lobes to grow in.
@@ -53,6 +53,15 @@ class Document : public QObject {
 
   /// True if the lungs shown were found with other options than those set now.
   bool lungsOutOfDate() const;
+
+  /// True if there are whole lungs to split into lobes.
+  bool canSplit() const { return !snapshot_.lungs.empty(); }
+
+  /// True while the lungs are being split.
+  bool splitting() const { return splitting_; }
+
+  /// True if the lobes shown were made with other fissures than those set now.
+  bool lobesOutOfDate() const;
 
   JobQueue& jobs() { return jobs_; }
 
@@ -71,6 +80,14 @@ class Document : public QObject {
 
   /// Finds lungs and central airways in the CT with lungOptions(). Can be undone.
   void findLungs();
+
+  /// Sets what the lungs are split with. Lobes that are there follow. Can be undone, with them.
+  /// Not while another job runs.
+  /// @param what was done, for example "set a point"
+  void setLobeEdits(const LobeEdits& edits, const QString& what);
+
+  /// Splits the whole lungs into lobes, to grow in. Can be undone.
+  void splitLobes();
 
   /// Grows airways with growthOptions(). Can be undone.
   void grow();
@@ -123,12 +140,15 @@ class Document : public QObject {
   };
 
   void become(Snapshot next, const QString& stepName);
+  /// @param stepName of the undo step; none for a part of the last one
+  void split(const QString& stepName);
   void fail(const QString& title, const QString& sentence);
 
   Snapshot snapshot_;
   std::vector<GrowthOptions> optionsOf_;  ///< of every method, in the order of growthMethods()
   std::size_t method_ = 0;
   LungOptions lungOptions_;
+  bool splitting_ = false;
   std::vector<Step> undo_;
   std::vector<Step> redo_;
   std::shared_ptr<const AirwayTree> saved_;     ///< the tree that was saved last

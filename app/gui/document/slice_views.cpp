@@ -29,6 +29,12 @@ void SliceViews::show(std::shared_ptr<const CtImage> ct, std::shared_ptr<const L
   emit changed();
 }
 
+void SliceViews::setFissures(std::shared_ptr<const SliceFissures> fissures) {
+  if (fissures == fissures_) return;
+  fissures_ = std::move(fissures);
+  emit changed();
+}
+
 void SliceViews::moveTo(const Vec3& point) {
   Vec3 next;
   for (const SlicePlane plane : SlicePlanes) {
@@ -92,6 +98,7 @@ void SliceViews::showCrosshair(bool shown) {
 Picture SliceViews::picture(SlicePlane plane, int width, int height, double pixelRatio) const {
   SliceContents contents{ct_.get(), labels_.get()};
   if (crosshair_) contents.crosshair = point_;
+  contents.fissures = fissures_.get();
   SliceLook look = look_;
   look.pixelRatio = pixelRatio;
   return slicePicture(contents, frame(plane, width, height), look);

@@ -23,6 +23,9 @@ class SliceViews : public QObject {
   /// change nothing else.
   void show(std::shared_ptr<const CtImage> ct, std::shared_ptr<const LabelImage> labels);
 
+  /// Shows fissures over the slices; null: none.
+  void setFissures(std::shared_ptr<const SliceFissures> fissures);
+
   /// True if no CT is shown; nothing else may be asked then but look().
   bool empty() const { return ct_ == nullptr; }
 
@@ -80,6 +83,7 @@ class SliceViews : public QObject {
   Vec3 point_ = Vec3::Zero();
   std::array<Zoom, 3> zooms_;
   SliceLook look_;
+  std::shared_ptr<const SliceFissures> fissures_;
   bool crosshair_ = true;
 };
 

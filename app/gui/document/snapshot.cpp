@@ -2,16 +2,55 @@
 
 #include <utility>
 
+#include "core/error.h"
 #include "document/text.h"
+#include "pipeline/lobes_model.h"
 
 namespace pneuma {
 
+namespace {
+
+/// Lungs that nothing can be told of are left out: splitting them says why.
+std::vector<std::shared_ptr<const LungShape>> lungsOf(const LungModel& model) {
+  std::vector<std::shared_ptr<const LungShape>> lungs;
+  const auto surfaces = wholeLungsOf(model);
+  if (!surfaces) return lungs;
+  for (const LobeSurface& surface : *surfaces) {
+    const bool lung = surface.lobe == Lobe::RightLung || surface.lobe == Lobe::LeftLung;
+    if (!lung || !surface.health.fitToGrow()) continue;
+    try {
+      lungs.push_back(
+          std::make_shared<const LungShape>(lungShape(surface.mesh, side(surface.lobe))));
+    } catch (const InvalidInput&) {
+      continue;
+    }
+  }
+  return lungs;
+}
+
+void addFigures(Snapshot& snapshot) {
+  const auto tree = treeOf(snapshot.model);
+  snapshot.figures = tree ? std::make_shared<const TreeFigures>(treeFigures(*tree)) : nullptr;
+}
+
+}  // namespace
+
 Snapshot snapshotOf(LungModel model, const QString& name) {
   Snapshot snapshot{std::move(model), nullptr, name};
-  if (const auto tree = treeOf(snapshot.model)) {
-    snapshot.figures = std::make_shared<const TreeFigures>(treeFigures(*tree));
-  }
+  addFigures(snapshot);
+  snapshot.lungs = lungsOf(snapshot.model);
   return snapshot;
+}
+
+Snapshot nextSnapshot(const Snapshot& before, LungModel model) {
+  Snapshot next = before;
+  next.model = std::move(model);
+  if (treeOf(next.model) != treeOf(before.model)) addFigures(next);
+  if (next.model.growth != before.model.growth) next.grownIn = next.model.surfaces;
+  if (wholeLungsOf(next.model) == wholeLungsOf(before.model)) return next;
+  next.lungs = lungsOf(next.model);
+  next.lobeEdits = next.splitEdits = {};
+  return next;
 }
 
 double lungVolumeMl(const LungModel& model) {
@@ -25,6 +64,10 @@ double lungVolumeMl(const LungModel& model) {
 std::vector<QString> warningsOf(const Snapshot& snapshot) {
   std::vector<QString> warnings;
   for (const auto& sentence : snapshot.model.warnings) warnings.push_back(qtText(sentence));
+  if (snapshot.model.lobes) {
+    for (const auto& sentence : snapshot.model.lobes->warnings)
+      warnings.push_back(qtText(sentence));
+  }
   if (!snapshot.model.growth) return warnings;
   for (const auto& sentence : snapshot.model.growth->result.warnings) {
     warnings.push_back(qtText(sentence));

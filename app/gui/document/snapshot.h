@@ -2,9 +2,12 @@
 
 #include <QString>
 #include <memory>
+#include <vector>
 
+#include "document/lobe_edits.h"
 #include "document/tree_figures.h"
 #include "pipeline/lung_model.h"
+#include "pipeline/lung_shape.h"
 
 namespace pneuma {
 
@@ -15,10 +18,18 @@ struct Snapshot {
   std::shared_ptr<const TreeFigures> figures;  ///< of treeOf(model); null if there is no tree
   QString name;                                ///< file names only, never folders
   LungOptions lungOptions{};                   ///< with which model.lungs were found
+  std::vector<std::shared_ptr<const LungShape>> lungs{};      ///< whole ones, fit to be split
+  LobeEdits lobeEdits{};                                      ///< for the next split
+  LobeEdits splitEdits{};                                     ///< with which model.lobes were made
+  std::shared_ptr<const std::vector<LobeSurface>> grownIn{};  ///< the surfaces of model.growth
 };
 
-/// A snapshot of `model` with the figures of its tree.
+/// A snapshot of `model` with the figures of its tree and its whole lungs.
 Snapshot snapshotOf(LungModel model, const QString& name);
+
+/// The next snapshot of the same case: what was chosen, and what `model` shares with the one
+/// before, stay.
+Snapshot nextSnapshot(const Snapshot& before, LungModel model);
 
 /// Sum of the closed surfaces' volumes, ml.
 double lungVolumeMl(const LungModel& model);

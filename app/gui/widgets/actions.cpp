@@ -46,6 +46,14 @@ Actions makeActions(QWidget* window) {
   a.undo = action(window, "actionUndo", tr("&Undo"), {keys("Ctrl+Z")});
   a.redo = action(window, "actionRedo", tr("&Redo"), {keys("Ctrl+Shift+Z"), keys("Ctrl+Y")});
   a.findLungs = action(window, "actionFindLungs", tr("Find &lungs"), {keys("Ctrl+L")}, "lungs");
+  // P in the 3-D view looks from behind, so that the slice views alone answer this one.
+  a.placePoints = new QAction(tr("&Place points on fissures"), window);
+  a.placePoints->setObjectName(QStringLiteral("actionPlacePoints"));
+  a.placePoints->setIconText(tr("Place points"));
+  a.placePoints->setShortcut(keys("P"));
+  a.placePoints->setShortcutContext(Qt::WidgetShortcut);
+  a.placePoints->setCheckable(true);
+  a.splitLobes = action(window, "actionSplitLobes", tr("&Split into lobes"), {keys("Ctrl+B")});
   a.grow = action(window, "actionGrow", tr("&Grow airways"), {keys("Ctrl+Return")});
   a.cancel = action(window, "actionCancel", tr("&Cancel the running job"), {keys("Esc")}, "close");
   static const std::array<const char*, 6> names = {
@@ -81,7 +89,7 @@ void fillMenus(QMenuBar& bar, const Actions& a) {
   QMenu* edit = bar.addMenu(QObject::tr("&Edit"));
   edit->addActions({a.undo, a.redo});
   edit->addSeparator();
-  edit->addActions({a.findLungs, a.grow, a.cancel});
+  edit->addActions({a.findLungs, a.placePoints, a.splitLobes, a.grow, a.cancel});
   QMenu* view = bar.addMenu(QObject::tr("&View"));
   for (QAction* named : a.views) view->addAction(named);
   view->addSeparator();

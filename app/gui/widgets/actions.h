@@ -26,6 +26,8 @@ struct Actions {
   QAction* undo = nullptr;
   QAction* redo = nullptr;
   QAction* findLungs = nullptr;
+  QAction* placePoints = nullptr;  ///< checkable; its key acts in the slices
+  QAction* splitLobes = nullptr;
   QAction* grow = nullptr;
   QAction* cancel = nullptr;
   std::array<QAction*, 6> views{};

@@ -8,14 +8,17 @@
 #include <QMimeData>
 #include <QStackedWidget>
 #include <QToolButton>
+#include <set>
 #include <utility>
 
 #include "document/text.h"
 #include "io/atomic_file.h"
+#include "pipeline/lobes_model.h"
 #include "widgets/ct_views.h"
 #include "widgets/dialogs.h"
 #include "widgets/error_card.h"
 #include "widgets/export_panel.h"
+#include "widgets/fissure_views.h"
 #include "widgets/generation_chart.h"
 #include "widgets/icons.h"
 #include "widgets/lungs_panel.h"
@@ -83,6 +86,11 @@ void MainWindow::connectActions() {
     goTo(LungsStep);
     document_.findLungs();
   });
+  connect(actions_.splitLobes, &QAction::triggered, this, [this] {
+    errorCard_->hide();
+    goTo(LobesStep);
+    document_.splitLobes();
+  });
   connect(actions_.grow, &QAction::triggered, this, [this] {
     errorCard_->hide();
     goTo(AirwaysStep);
@@ -141,16 +149,29 @@ void MainWindow::connectView() {
           });
 }
 
+void MainWindow::connectFissures() {
+  connect(actions_.placePoints, &QAction::toggled, &fissures_, &FissureEditor::setPlacing);
+  connect(&fissures_, &FissureEditor::changed, this, [this] {
+    actions_.placePoints->setChecked(fissures_.placing());
+    updateSteps();
+    updateActions();
+  });
+}
+
 void MainWindow::goTo(Step step) {
   if (step != LungsStep) lungsPanel_->endPreview();
+  fissureViews_->setActive(step == LobesStep);
   steps_[step]->setChecked(true);
   panels_->setCurrentIndex(step);
+  updateActions();
 }
 
 void MainWindow::showSteps() {
   const LungModel& model = document_.model();
-  // With surfaces or a tree alone there are no lungs to find.
-  steps_[LungsStep]->setVisible(model.ct || (!model.surfaces && !document_.tree()));
+  // With surfaces or a tree alone there are no lungs to find, with lobes alone none to split.
+  const bool mayComeByCt = model.ct || (!model.surfaces && !document_.tree());
+  steps_[LungsStep]->setVisible(mayComeByCt);
+  steps_[LobesStep]->setVisible(mayComeByCt || wholeLungsOf(model));
   int number = 0;
   for (StepButton* step : steps_) {
     if (!step->isHidden()) step->setNumber(++number);
@@ -197,8 +218,12 @@ void MainWindow::showScene() {
   const Snapshot& snapshot = document_.snapshot();
   const auto tree = document_.tree();
   const bool wasEmpty = centre_->currentIndex() == 0;
-  const bool otherLungs = snapshot.model.surfaces != shownSurfaces_;
-  if (otherLungs) {
+  const bool otherSurfaces = snapshot.model.surfaces != shownSurfaces_;
+  // The lobes of lungs that are shown are seen from where one stands.
+  const auto whole = wholeLungsOf(snapshot.model);
+  const bool otherLungs = otherSurfaces && (!whole || whole != shownWhole_);
+  shownWhole_ = whole;
+  if (otherSurfaces) {
     std::vector<SceneSurface> surfaces;
     if (snapshot.model.surfaces) {
       for (const LobeSurface& surface : *snapshot.model.surfaces) {
@@ -221,7 +246,7 @@ void MainWindow::showScene() {
   const bool empty = !shownSurfaces_ && !shownTree_ && !shownCt_;
   centre_->setCurrentIndex(empty ? 0 : 1);
   if (empty) return;
-  if (wasEmpty) goTo(shownCt_ ? LungsStep : AirwaysStep);
+  if (wasEmpty) goTo(shownCt_ ? LungsStep : shownWhole_ ? LobesStep : AirwaysStep);
   if (wasEmpty || otherLungs) {
     view_->look(FirstView);
   } else if (!shownSurfaces_) {
@@ -231,14 +256,17 @@ void MainWindow::showScene() {
 
 void MainWindow::applyVisibility() {
   bool airways = true;
+  std::set<Side> lungs;
   for (int row = 0; row < structures_.rowCount(); ++row) {
     const auto& structure = structures_.structure(row);
     if (structure.kind == StructureModel::Kind::Surface) {
       view_->setSurfaceVisible(structure.surface, structure.visible);
+      if (structure.visible) lungs.insert(structure.side);
     } else if (structure.kind == StructureModel::Kind::Airways) {
       airways = structure.visible;
     }
   }
+  fissureViews_->setVisible(lungs);
   view_->setTree(airways ? shownTree_ : nullptr);
   if (!airways) branch_.reset();
   view_->select(branch_);
@@ -274,7 +302,9 @@ void MainWindow::probePoint(const std::optional<Vec3>& point) {
 }
 
 void MainWindow::cancel() {
-  if (document_.jobs().busy()) {
+  if (fissures_.placing()) {
+    fissures_.setPlacing(false);
+  } else if (document_.jobs().busy()) {
     document_.jobs().cancel();
     status_->say(tr("Stopping..."));
   } else {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "document/document.h"
+#include "document/fissure_editor.h"
 #include "document/slice_views.h"
 #include "document/structure_model.h"
 #include "widgets/actions.h"
@@ -23,6 +24,7 @@ namespace pneuma {
 class CtViews;
 class ErrorCard;
 class ExportPanel;
+class FissureViews;
 class GenerationChart;
 class LungsPanel;
 class OpenPanel;
@@ -49,6 +51,8 @@ class MainWindow : public QMainWindow {
 
   SliceViews& slices() { return sliceViews_; }
 
+  FissureEditor& fissures() { return fissures_; }
+
   void open(std::vector<std::filesystem::path> paths);
 
   void setTheme(ThemeName name);
@@ -63,7 +67,7 @@ class MainWindow : public QMainWindow {
   void dropEvent(QDropEvent* event) override;
 
  private:
-  enum Step { OpenStep, LungsStep, AirwaysStep, ExportStep, StepCount };
+  enum Step { OpenStep, LungsStep, LobesStep, AirwaysStep, ExportStep, StepCount };
 
   QWidget* makeHeader();
   QWidget* makeRail();
@@ -72,6 +76,7 @@ class MainWindow : public QMainWindow {
   void connectActions();
   void connectDocument();
   void connectView();
+  void connectFissures();
 
   void goTo(Step step);
   /// Shows the step for lungs where there may be a CT, and numbers the steps.
@@ -81,6 +86,7 @@ class MainWindow : public QMainWindow {
   void showScene();
   void updateActions();
   void updateSteps();
+  void updateLobesStep();
   void updateProperties();
   void applyVisibility();
   void selectBranch(std::optional<std::size_t> branch);
@@ -95,6 +101,7 @@ class MainWindow : public QMainWindow {
   Document document_;
   StructureModel structures_;
   SliceViews sliceViews_;
+  FissureEditor fissures_{document_};
   Actions actions_;
   std::optional<std::size_t> branch_;  ///< the selected one
   std::function<void()> whenSaved_;
@@ -102,6 +109,7 @@ class MainWindow : public QMainWindow {
 
   // What the scene holds, so that only what is new is handed to it.
   std::shared_ptr<const std::vector<LobeSurface>> shownSurfaces_;
+  std::shared_ptr<const std::vector<LobeSurface>> shownWhole_;  ///< of the lungs that they are of
   std::shared_ptr<const AirwayTree> shownTree_;
   std::shared_ptr<const CtImage> shownCt_;
   std::shared_ptr<const LabelImage> shownLabels_;
@@ -118,6 +126,7 @@ class MainWindow : public QMainWindow {
   SceneView* view_ = nullptr;
   SliceBar* sliceBar_ = nullptr;
   CtViews* ctViews_ = nullptr;
+  FissureViews* fissureViews_ = nullptr;
   ErrorCard* errorCard_ = nullptr;
   StructureView* structureView_ = nullptr;
   QLabel* propertiesHeading_ = nullptr;

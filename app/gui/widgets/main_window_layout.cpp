@@ -11,9 +11,11 @@
 #include "widgets/ct_views.h"
 #include "widgets/error_card.h"
 #include "widgets/export_panel.h"
+#include "widgets/fissure_views.h"
 #include "widgets/generation_chart.h"
 #include "widgets/growth_panel.h"
 #include "widgets/heading.h"
+#include "widgets/lobes_panel.h"
 #include "widgets/lungs_panel.h"
 #include "widgets/main_window.h"
 #include "widgets/open_panel.h"
@@ -84,7 +86,8 @@ QWidget* MainWindow::makeRail() {
   column->setSpacing(4);
   column->addWidget(heading(tr("Steps")));
   static const std::array<const char*, StepCount> titles = {
-      QT_TR_NOOP("Open"), QT_TR_NOOP("Lungs"), QT_TR_NOOP("Airways"), QT_TR_NOOP("Export")};
+      QT_TR_NOOP("Open"), QT_TR_NOOP("Lungs"), QT_TR_NOOP("Lobes"), QT_TR_NOOP("Airways"),
+      QT_TR_NOOP("Export")};
   panels_ = new QStackedWidget;
   for (int i = 0; i < StepCount; ++i) {
     const auto index = static_cast<std::size_t>(i);
@@ -102,6 +105,7 @@ QWidget* MainWindow::makeRail() {
   panels_->addWidget(openPanel_);
   lungsPanel_ = new LungsPanel(document_, sliceViews_, actions_);
   panels_->addWidget(lungsPanel_);
+  panels_->addWidget(new LobesPanel(document_, fissures_, sliceViews_, actions_));
   panels_->addWidget(new GrowthPanel(document_, actions_));
   panels_->addWidget(exportPanel_);
   column->addWidget(panels_, 1);
@@ -119,6 +123,7 @@ QWidget* MainWindow::makeCentre() {
   sliceBar_ = new SliceBar(sliceViews_, actions_);
   sliceBar_->hide();
   ctViews_ = new CtViews(sliceViews_, view_, actions_);
+  fissureViews_ = new FissureViews(fissures_, sliceViews_, *ctViews_, *view_, this);
   column->addWidget(sliceBar_);
   column->addWidget(ctViews_, 1);
   centre_ = new QStackedWidget;
@@ -186,6 +191,7 @@ MainWindow::MainWindow() : actions_(makeActions(this)) {
   connectActions();
   connectDocument();
   connectView();
+  connectFissures();
   goTo(OpenStep);
   showSnapshot();
   status_->say(tr("Ready"));

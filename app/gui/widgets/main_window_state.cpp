@@ -1,6 +1,7 @@
 #include <QLabel>
 #include <algorithm>
 
+#include "document/lobes_sheet.h"
 #include "document/property_sheet.h"
 #include "document/text.h"
 #include "widgets/heading.h"
@@ -29,6 +30,13 @@ void MainWindow::updateActions() {
   actions_.findLungs->setToolTip(busy ? wait
                                  : ct ? tr("Find lungs and central airways in the CT")
                                       : tr("Open a CT first"));
+  const bool whole = document_.canSplit();
+  actions_.placePoints->setEnabled(whole && steps_[LobesStep]->isChecked());
+  actions_.placePoints->setToolTip(tr("Clicks in the slices set points on the current fissure"));
+  actions_.splitLobes->setEnabled(whole && !busy);
+  actions_.splitLobes->setToolTip(busy    ? wait
+                                  : whole ? tr("Split the lungs into lobes along the fissures")
+                                          : tr("Open whole lungs or find them in a CT first"));
   actions_.grow->setEnabled(lobes && !busy);
   actions_.grow->setToolTip(busy    ? wait
                             : lobes ? tr("Grow airways from the central ones into the lobes")
@@ -38,7 +46,7 @@ void MainWindow::updateActions() {
                                 : tree ? tr("Save the tree that is shown")
                                        : tr("There is no tree to save yet"));
   actions_.savePicture->setEnabled(shown);
-  actions_.cancel->setEnabled(busy || branch_);
+  actions_.cancel->setEnabled(busy || branch_ || fissures_.placing());
   actions_.undo->setEnabled(document_.canUndo());
   actions_.undo->setText(tr("&Undo %1").arg(document_.undoName()).trimmed());
   actions_.redo->setEnabled(document_.canRedo());
@@ -84,8 +92,10 @@ void MainWindow::updateSteps() {
                    model.labels ? tr("labels from a file") : QString());
   }
 
+  updateLobesStep();
+
   StepButton& airways = *steps_[AirwaysStep];
-  if (busy && document_.canGrow()) {
+  if (busy && document_.canGrow() && !document_.splitting()) {
     airways.setState(StepState::Running, {});
   } else if (!model.growth) {
     airways.setState(StepState::ToDo, {});
@@ -99,6 +109,31 @@ void MainWindow::updateSteps() {
   }
   steps_[ExportStep]->setState(document_.treeSaved() ? StepState::Done : StepState::ToDo,
                                document_.treeSaved() ? tr("tree saved") : QString());
+}
+
+void MainWindow::updateLobesStep() {
+  StepButton& step = *steps_[LobesStep];
+  const LungModel& model = document_.model();
+  if (document_.splitting()) {
+    step.setState(StepState::Running, {});
+  } else if (!document_.canSplit()) {
+    step.setState(StepState::ToDo, tr("in whole lungs"));
+  } else if (!model.lobes) {
+    step.setState(StepState::ToDo, tr("fissures proposed"));
+  } else if (document_.lobesOutOfDate()) {
+    step.setState(StepState::OutOfDate, {});
+  } else {
+    // A proposal that nobody touched is no finding.
+    bool fine = model.lobes->warnings.empty();
+    for (const auto& [fissure, used] : model.lobes->fissures) {
+      fine = fine && used.source != FissureSource::Proposal;
+    }
+    for (const PropertyRow& row : lobeChecksSheet(fissures_, document_).rows) {
+      fine = fine && row.kind != PropertyRow::Kind::Look;
+    }
+    step.setState(fine ? StepState::Done : StepState::CheckMe,
+                  counted(model.lobes->lobeMm3.size(), "lobe", "lobes"));
+  }
 }
 
 void MainWindow::updateProperties() {

@@ -137,6 +137,11 @@ void SceneView::setSurfaceVisible(std::size_t index, bool visible) {
   renderSoon();
 }
 
+void SceneView::setFissures(const FissureScene& fissures) {
+  scene_->setFissures(fissures);
+  renderSoon();
+}
+
 void SceneView::setTree(std::shared_ptr<const AirwayTree> tree) {
   scene_->setTree(std::move(tree));
   renderSoon();
@@ -197,9 +202,40 @@ QPoint SceneView::positionOf(const Vec3& point) const {
 
 QWidget* SceneView::canvas() const { return canvas_; }
 
-std::optional<std::size_t> SceneView::branchAt(const QPoint& position) const {
+QPointF SceneView::onWindow(const QPoint& position) const {
   const double ratio = canvas_->devicePixelRatioF();
-  return scene_->branchAt(position.x() * ratio, (canvas_->height() - 1 - position.y()) * ratio);
+  return {position.x() * ratio, (canvas_->height() - 1 - position.y()) * ratio};
+}
+
+std::optional<std::size_t> SceneView::branchAt(const QPoint& position) const {
+  const QPointF at = onWindow(position);
+  return scene_->branchAt(at.x(), at.y());
+}
+
+bool SceneView::mouseOnMark(QEvent& event) {
+  if (event.type() != QEvent::MouseButtonPress && event.type() != QEvent::MouseMove &&
+      event.type() != QEvent::MouseButtonRelease) {
+    return false;
+  }
+  const auto& mouse = static_cast<QMouseEvent&>(event);
+  const QPointF at = onWindow(mouse.pos());
+  if (event.type() == QEvent::MouseButtonPress) {
+    if (mouse.button() != Qt::LeftButton || mouse.modifiers() != Qt::NoModifier) return false;
+    mark_ = scene_->markAt(at.x(), at.y());
+    if (mark_) markPlace_ = scene_->markPlace(*mark_);
+    return mark_.has_value();
+  }
+  if (!mark_) return false;
+  if (event.type() == QEvent::MouseButtonRelease) {
+    mark_.reset();
+    emit markReleased();
+    return true;
+  }
+  std::optional<Vec3> to;
+  if (placing_) to = scene_->lungPointAt(at.x(), at.y());
+  if (!to) to = scene_->pointBeside(at.x(), at.y(), markPlace_);
+  emit markDragged(*mark_, *to);
+  return true;
 }
 
 void SceneView::render() {
@@ -251,6 +287,7 @@ bool SceneView::keyPressed(int key, Qt::KeyboardModifiers modifiers) {
 
 bool SceneView::eventFilter(QObject* watched, QEvent* event) {
   if (watched != canvas_) return QWidget::eventFilter(watched, event);
+  if (mouseOnMark(*event)) return true;
   switch (event->type()) {
     case QEvent::KeyPress: {
       const auto* key = static_cast<QKeyEvent*>(event);
@@ -276,7 +313,13 @@ bool SceneView::eventFilter(QObject* watched, QEvent* event) {
       settleTimer_.start();
       if (mouse->button() == Qt::LeftButton &&
           (mouse->pos() - pressedAt_).manhattanLength() <= ClickPixels) {
-        emit clicked(branchAt(mouse->pos()));
+        const QPointF at = onWindow(mouse->pos());
+        const auto point = placing_ ? scene_->lungPointAt(at.x(), at.y()) : std::nullopt;
+        if (point) {
+          emit lungClicked(*point);
+        } else {
+          emit clicked(branchAt(mouse->pos()));
+        }
       }
       break;
     }

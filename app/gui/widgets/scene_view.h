@@ -22,6 +22,7 @@ QString viewText(ViewDirection direction);
 /// The 3-D view: a render::Scene in a widget. Left drag turns, middle or Shift+left drag moves,
 /// right drag or wheel zooms, a click takes the branch under the pointer. With the keyboard: A P L
 /// R S I look along an axis, Home frames everything, Shift+arrows turn, arrows walk along the tree.
+/// Marks of fissures that are edited follow the left button.
 class SceneView : public QWidget {
   Q_OBJECT
 
@@ -31,6 +32,13 @@ class SceneView : public QWidget {
 
   void setSurfaces(std::vector<SceneSurface> surfaces);
   void setSurfaceVisible(std::size_t index, bool visible);
+
+  /// Lungs whose fissures are edited, in place of the surfaces; none: the surfaces again.
+  void setFissures(const FissureScene& fissures);
+
+  /// While it sets points, a click goes to the lung's surface, and marks move along it.
+  void setPlacing(bool placing) { placing_ = placing; }
+
   void setTree(std::shared_ptr<const AirwayTree> tree);
   void setOptions(const SceneOptions& options);
 
@@ -63,6 +71,13 @@ class SceneView : public QWidget {
   void hovered(std::optional<std::size_t> branch);
   void walked(pneuma::Neighbour where);
 
+  /// A click on a lung while points are set.
+  void lungClicked(const pneuma::Vec3& point);
+
+  /// A mark of the fissures is dragged there; by its place in the list.
+  void markDragged(std::size_t mark, const pneuma::Vec3& to);
+  void markReleased();
+
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
 
@@ -72,6 +87,9 @@ class SceneView : public QWidget {
   void turn(double azimuthDeg, double elevationDeg);
   bool keyPressed(int key, Qt::KeyboardModifiers modifiers);
   void dragging(bool on);
+  /// True if the event was for the marks of the fissures.
+  bool mouseOnMark(QEvent& event);
+  QPointF onWindow(const QPoint& position) const;
   std::optional<std::size_t> branchAt(const QPoint& position) const;
 
   std::unique_ptr<Scene> scene_;
@@ -83,6 +101,9 @@ class SceneView : public QWidget {
   qint64 frameMs_ = 0;  ///< what the last frame took
   QTimer settleTimer_;
   QTimer hoverTimer_;
+  bool placing_ = false;
+  std::optional<std::size_t> mark_;  ///< that is dragged
+  Vec3 markPlace_ = Vec3::Zero();    ///< where it was
   QPoint pressedAt_;
   QPoint pointer_;
 };

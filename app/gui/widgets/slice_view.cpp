@@ -20,6 +20,7 @@ constexpr int PageSlices = 10;
 constexpr double ZoomPerNotch = 1.2;
 constexpr double ZoomPerPixel = 1.008;
 constexpr double HuPerPixel = 4.0;
+constexpr double MarkReachPixels = 9.0;
 
 }  // namespace
 
@@ -39,6 +40,17 @@ SliceView::SliceView(SliceViews& views, SlicePlane plane, QWidget* parent)
         qtText(positionText(normalAxis(plane_), views_.point()[normalAxis(plane_)])));
     update();
   });
+}
+
+void SliceView::setEditor(FissureEditor* editor) {
+  if (editor_ != nullptr) editor_->disconnect(this);
+  editor_ = editor;
+  drag_ = Drag::None;
+  const auto showCursor = [this] {
+    setCursor(editor_ != nullptr && editor_->placing() ? Qt::PointingHandCursor : Qt::CrossCursor);
+  };
+  if (editor_ != nullptr) connect(editor_, &FissureEditor::changed, this, showCursor);
+  showCursor();
 }
 
 SliceFrame SliceView::frame() const {
@@ -85,6 +97,7 @@ void SliceView::paintEvent(QPaintEvent*) {
 void SliceView::mousePressEvent(QMouseEvent* event) {
   if (views_.empty()) return;
   before_ = event->pos();
+  if (editor_ != nullptr && pressFissure(*event)) return;
   zoomedAbout_ = onPicture(event->pos());
   const bool shift = event->modifiers().testFlag(Qt::ShiftModifier);
   switch (event->button()) {
@@ -101,6 +114,40 @@ void SliceView::mousePressEvent(QMouseEvent* event) {
       drag_ = Drag::None;
   }
   if (drag_ == Drag::Point) views_.moveTo(frame().pointAt(onPicture(event->pos())));
+}
+
+std::optional<FissureEditor::Mark> SliceView::markAt(const QPoint& position) const {
+  const SliceFrame shown = frame();
+  return editor_->markAt(shown.pointAt(onPicture(position)), normalAxis(plane_),
+                         MarkReachPixels * devicePixelRatioF() * shown.mmPerPixel);
+}
+
+bool SliceView::pressFissure(const QMouseEvent& event) {
+  if (windowKey_ || event.modifiers() != Qt::NoModifier) return false;
+  const auto mark = markAt(event.pos());
+  if (event.button() == Qt::RightButton) {
+    if (!mark) return false;
+    editor_->removePoint(mark->fissure, mark->index);
+    drag_ = Drag::None;
+    return true;
+  }
+  if (event.button() != Qt::LeftButton) return false;
+  if (mark) {
+    mark_ = *mark;
+    editor_->setCurrent(mark->fissure);
+    drag_ = Drag::Mark;
+    return true;
+  }
+  // A plane has its handles, and takes no points.
+  const bool takesPoints = editor_->edit(editor_->current()).method == FissureMethod::Points;
+  if (!editor_->placing() || !takesPoints) return false;
+  const Vec3 point = frame().pointAt(onPicture(event.pos()));
+  editor_->addPoint(point);
+  // A press that goes on moves the point that it set.
+  const std::size_t count = editor_->edit(editor_->current()).points.size();
+  drag_ = count > 0 ? Drag::Mark : Drag::None;
+  if (count > 0) mark_ = {editor_->current(), count - 1, point};
+  return true;
 }
 
 void SliceView::mouseMoveEvent(QMouseEvent* event) {
@@ -139,14 +186,24 @@ void SliceView::dragTo(const QPoint& position) {
       views_.setLook(look);
       break;
     }
+    case Drag::Mark:
+      if (editor_ != nullptr) editor_->drag(mark_, shown.pointAt(onPicture(position)));
+      break;
     case Drag::None:
       break;
   }
 }
 
-void SliceView::mouseReleaseEvent(QMouseEvent*) { drag_ = Drag::None; }
+void SliceView::mouseReleaseEvent(QMouseEvent*) {
+  if (drag_ == Drag::Mark && editor_ != nullptr) editor_->release();
+  drag_ = Drag::None;
+}
 
 void SliceView::mouseDoubleClickEvent(QMouseEvent* event) {
+  if (editor_ != nullptr && editor_->placing()) {
+    mousePressEvent(event);  // two clicks soon after one another
+    return;
+  }
   drag_ = Drag::None;
   if (event->button() == Qt::LeftButton) emit doubleClicked(plane_);
 }
@@ -173,6 +230,7 @@ void SliceView::keyPressEvent(QKeyEvent* event) {
     QWidget::keyPressEvent(event);
     return;
   }
+  if (editor_ != nullptr && keyForFissures(event->key())) return;
   switch (event->key()) {
     case Qt::Key_Up:
     case Qt::Key_F:
@@ -197,6 +255,30 @@ void SliceView::keyPressEvent(QKeyEvent* event) {
     default:
       QWidget::keyPressEvent(event);
   }
+}
+
+bool SliceView::keyForFissures(int key) {
+  switch (key) {
+    case Qt::Key_Backspace:
+      editor_->removeLast();
+      return true;
+    case Qt::Key_Delete:
+      if (const auto mark = markAt(mapFromGlobal(QCursor::pos()))) {
+        editor_->removePoint(mark->fissure, mark->index);
+      }
+      return true;
+    case Qt::Key_Tab:
+    case Qt::Key_Backtab:
+      editor_->step(key == Qt::Key_Tab ? 1 : -1);
+      return true;
+    default:
+      return false;
+  }
+}
+
+bool SliceView::focusNextPrevChild(bool next) {
+  if (editor_ != nullptr && editor_->placing()) return false;
+  return QWidget::focusNextPrevChild(next);
 }
 
 void SliceView::keyReleaseEvent(QKeyEvent* event) {

@@ -4,6 +4,7 @@
 #include <QWidget>
 #include <optional>
 
+#include "document/fissure_editor.h"
 #include "document/slice_views.h"
 
 namespace pneuma {
@@ -11,12 +12,18 @@ namespace pneuma {
 /// One slice of the CT. Click or drag moves the point that all views share; the wheel changes the
 /// slice (Shift: five at once); Ctrl+wheel or right drag zooms; middle or Shift+left drag moves the
 /// picture; W held + left drag changes the window: across its width, down its level. With the
-/// keyboard: Up/Down, B/F and PageUp/PageDown change the slice, R shows everything again.
+/// keyboard: Up/Down, B/F and PageUp/PageDown change the slice, R shows everything again. While
+/// fissures are edited, a left drag moves a mark of theirs and a right click deletes a point; while
+/// points are set, a left click sets one, Backspace takes the last back, Tab goes to the next
+/// fissure.
 class SliceView : public QWidget {
   Q_OBJECT
 
  public:
   SliceView(SliceViews& views, SlicePlane plane, QWidget* parent = nullptr);
+
+  /// Takes part in editing fissures; null: no longer.
+  void setEditor(FissureEditor* editor);
 
   /// The pixel of this widget at which a point (LPS, mm) is drawn.
   QPoint positionOf(const Vec3& point) const;
@@ -39,13 +46,19 @@ class SliceView : public QWidget {
   void keyPressEvent(QKeyEvent* event) override;
   void keyReleaseEvent(QKeyEvent* event) override;
   void leaveEvent(QEvent* event) override;
+  /// Tab is for the fissures while points are set.
+  bool focusNextPrevChild(bool next) override;
 
  private:
-  enum class Drag { None, Point, Pan, Zoom, Window };
+  enum class Drag { None, Point, Pan, Zoom, Window, Mark };
 
   SliceFrame frame() const;
   PicturePoint onPicture(const QPointF& position) const;
   void dragTo(const QPoint& position);
+  /// True if the press was for the fissures.
+  bool pressFissure(const QMouseEvent& event);
+  bool keyForFissures(int key);
+  std::optional<FissureEditor::Mark> markAt(const QPoint& position) const;
 
   SliceViews& views_;
   SlicePlane plane_;
@@ -53,7 +66,9 @@ class SliceView : public QWidget {
   QPoint before_;             ///< where the drag was last
   PicturePoint zoomedAbout_;  ///< where a zooming drag began
   bool windowKey_ = false;
-  int wheelRest_ = 0;  ///< turned, but not yet a slice
+  FissureEditor* editor_ = nullptr;
+  FissureEditor::Mark mark_;  ///< that is dragged
+  int wheelRest_ = 0;         ///< turned, but not yet a slice
 };
 
 }  // namespace pneuma
