@@ -84,7 +84,7 @@ PropertySheet lobeChecksSheet(const FissureEditor& editor, const Document& docum
   sheet.rows.push_back(check(error <= MostPartitionError, QStringLiteral("Sum is the lung"),
                              QStringLiteral("≤ 1e-12")));
   const bool closed =
-      std::ranges::all_of(lobes.faults, [](const auto& entry) { return entry.second == 0; });
+      std::ranges::all_of(lobes.shapes, [](const auto& entry) { return entry.second.faults == 0; });
   sheet.rows.push_back(
       check(closed, QStringLiteral("All closed"), closed ? QStringLiteral("0 faults") : QString()));
   double farthest = 0.0;
@@ -114,6 +114,10 @@ QString fissureLine(const FissureEditor& editor, Fissure fissure) {
       return QStringLiteral("Proposed by the lung's shape");
     case FissureSource::Plane:
       return QStringLiteral("Plane through three handles");
+    case FissureSource::Equation:
+      return QStringLiteral("Given by an equation");
+    case FissureSource::Surface:
+      return QStringLiteral("Surface from a file");
     default: {
       const QString text =
           QStringLiteral("%1, mean %2")
