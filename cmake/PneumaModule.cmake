@@ -110,7 +110,13 @@ function(pneuma_add_test name)
       ${target}
       TEST_PREFIX ${name}/
       DISCOVERY_TIMEOUT 60
-      PROPERTIES LABELS "${name};${arg_LABELS}" TIMEOUT 600 ENVIRONMENT
-                 "${PNEUMA_TEST_ENVIRONMENT}")
+      PROPERTIES TIMEOUT 600)
+    # Lists do not survive the discovery as one value, so they are set after it.
+    set(lists "${CMAKE_CURRENT_BINARY_DIR}/${target}_lists.cmake")
+    file(CONFIGURE OUTPUT "${lists}" @ONLY CONTENT [[
+set_tests_properties(${@target@_TESTS} PROPERTIES LABELS "@name@;@arg_LABELS@"
+                     ENVIRONMENT "@PNEUMA_TEST_ENVIRONMENT@")
+]])
+    set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES "${lists}")
   endif()
 endfunction()
