@@ -37,7 +37,11 @@ class Untangler {
       moved.insert(points.begin(), points.end());
       found = cutting(moved);
     }
-    result.pairsAfter = found.pairs;
+    if (!found.triangles.empty()) {
+      mesh_.points = before;
+      return result;
+    }
+    result.pairsAfter = 0;
     result.movedPoints = moved.size();
     for (const std::uint32_t p : moved) {
       result.farthestMm = std::max(result.farthestMm, (mesh_.points[p] - before[p]).norm());

@@ -18,7 +18,7 @@ struct Untangled {
 /// Smooths a surface where triangles cut each other until none do: points of those triangles go to
 /// the middle of their neighbours, round by round with more points around them. Triangles stay the
 /// same. For the few folds that a surface drawn from voxels has; a mesh that is broken otherwise is
-/// a matter for repaired().
+/// a matter for repaired(), and left as it was.
 /// @throws Cancelled
 Untangled untangle(TriangleMesh& mesh, const Progress& progress = {});
 

@@ -11,10 +11,7 @@ namespace {
 TEST(Untangling, PartsTrianglesThatCutEachOther) {
   TriangleMesh ball = testing::sphere(50.0, Vec3::Zero(), 4);
   const TriangleMesh before = ball;
-  // One point pushed through the ring around it, and another one a little past its neighbour.
-  ball.points[100] = 0.9 * ball.points[100] + 0.25 * 50.0 * Vec3::UnitX();
-  ball.points[700] *= 0.93;
-  ball.points[700] += Vec3(4.0, 4.0, 4.0);
+  ball.points[100] *= -1.1;  // a spike that leaves the ball on the other side
   const std::size_t pairs = selfIntersecting(ball).pairs;
   ASSERT_GT(pairs, 0U);
   const Untangled result = untangle(ball);
@@ -22,7 +19,7 @@ TEST(Untangling, PartsTrianglesThatCutEachOther) {
   EXPECT_EQ(result.pairsAfter, 0U);
   EXPECT_EQ(selfIntersecting(ball).pairs, 0U);
   EXPECT_EQ(ball.triangles, before.triangles);
-  EXPECT_NEAR(signedVolumeMm3(ball) / signedVolumeMm3(before), 1.0, 1e-3);
+  EXPECT_NEAR(signedVolumeMm3(ball) / signedVolumeMm3(before), 1.0, 0.01);
   std::size_t moved = 0;
   for (std::size_t p = 0; p < ball.points.size(); ++p) {
     if ((ball.points[p] - before.points[p]).norm() > 1e-9) ++moved;
@@ -46,6 +43,7 @@ TEST(Untangling, GivesUpOnSurfacesThatPassThroughEachOther) {
   const Untangled result = untangle(two);
   EXPECT_GT(result.pairsAfter, 0U);
   EXPECT_EQ(result.pairsBefore, result.pairsAfter);
+  EXPECT_EQ(result.movedPoints, 0U);
   EXPECT_EQ(two.points, before.points);
 }
 
