@@ -19,6 +19,11 @@ struct MeshTopology {
   std::size_t duplicateTriangles = 0;      ///< the same three points again
   std::size_t components = 0;              ///< edge-connected pieces
   std::vector<std::uint32_t> componentOf;  ///< by triangle; `components` where it takes no part
+
+  /// Edges and points at which it is no closed, oriented surface.
+  std::size_t faults() const {
+    return openEdges + nonManifoldEdges + misorientedEdges + nonManifoldVertices;
+  }
 };
 
 /// @pre indices lie within the points. Linear in the number of triangles.

@@ -128,6 +128,19 @@ class NearLoops {
 
 }  // namespace
 
+std::vector<WantedPoint> hexagonalGrid(const Eigen::AlignedBox2d& box, double step, double apart) {
+  std::vector<WantedPoint> points;
+  const double rowStep = step * std::sqrt(0.75);
+  int row = 0;
+  for (double v = box.min().y(); v <= box.max().y(); v += rowStep, ++row) {
+    for (double u = box.min().x() + (row % 2 == 0 ? 0.0 : step / 2.0); u <= box.max().x();
+         u += step) {
+      points.push_back({Eigen::Vector2d(u, v), apart});
+    }
+  }
+  return points;
+}
+
 std::optional<PlanarTriangulation> triangulateInside(
     std::span<const Eigen::Vector2d> points, std::span<const std::array<std::uint32_t, 2>> edges,
     std::span<const WantedPoint> wanted) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
 namespace pneuma {
 
@@ -22,6 +23,9 @@ struct WantedPoint {
   Eigen::Vector2d place = Eigen::Vector2d::Zero();
   double apart = 0.0;
 };
+
+/// A hexagonal grid of wanted points over a box, `step` from each to the next.
+std::vector<WantedPoint> hexagonalGrid(const Eigen::AlignedBox2d& box, double step, double apart);
 
 /// Constrained Delaunay triangulation of what closed loops enclose; a loop within a loop is a hole.
 /// @param points of the loops

@@ -245,14 +245,8 @@ class Cutter {
     std::vector<WantedPoint> points;
     for (const Vec2& p : settings_.capPoints) points.push_back({p, 0.0});
     const double step = settings_.capSpacingMm;
-    const double rowStep = step * std::sqrt(0.75);
-    int row = 0;
-    for (double v = box.min().y(); v <= box.max().y(); v += rowStep, ++row) {
-      for (double u = box.min().x() + (row % 2 == 0 ? 0.0 : step / 2.0); u <= box.max().x();
-           u += step) {
-        points.push_back({Vec2(u, v), FreeOfLoops * step});
-      }
-    }
+    const std::vector<WantedPoint> grid = hexagonalGrid(box, step, FreeOfLoops * step);
+    points.insert(points.end(), grid.begin(), grid.end());
     return points;
   }
 

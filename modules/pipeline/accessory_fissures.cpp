@@ -6,13 +6,13 @@
 #include "core/units.h"
 #include "geometry/mesh_topology.h"
 #include "io/surface_file.h"
+#include "pipeline/lobe_checks.h"
 
 namespace pneuma {
 namespace {
 
 constexpr RegionId Below = 1;
 constexpr RegionId Above = 2;
-constexpr double MostPartitionError = 1e-12;
 
 TriangleMesh lobeSurface(const std::vector<SplitLung>& lungs, const AccessoryFissure& fissure) {
   for (const SplitLung& lung : lungs) {
@@ -52,12 +52,6 @@ std::filesystem::path patchFile(const std::string& name) {
   return std::filesystem::path("fissures") / (name + ".vtp");
 }
 
-std::size_t faultsOf(const TriangleMesh& mesh) {
-  const MeshTopology health = topology(mesh);
-  return health.openEdges + health.nonManifoldEdges + health.misorientedEdges +
-         health.nonManifoldVertices;
-}
-
 }  // namespace
 
 std::vector<PartedLobe> partedLobes(const std::vector<SplitLung>& lungs,
@@ -91,10 +85,7 @@ void writePartedLobes(const std::filesystem::path& folder, const std::vector<Par
 }
 
 void addPartedLobes(Json& report, const std::vector<PartedLobe>& lobes) {
-  const auto check = [&](const std::string& id, double value, double limit) {
-    report["checks"].push_back(
-        {{"id", id}, {"value", value}, {"limit", limit}, {"ok", value <= limit}});
-  };
+  std::vector<LobeCheck> checks;
   for (const PartedLobe& lobe : lobes) {
     report["accessory"].push_back({{"name", lobe.name},
                                    {"lobe", shortName(lobe.lobe)},
@@ -106,11 +97,13 @@ void addPartedLobes(Json& report, const std::vector<PartedLobe>& lobes) {
                                    {"contact_cm2", lobe.report.contactMm2 / 100.0},
                                    {"below_ml", millilitres(lobe.belowMm3)},
                                    {"above_ml", millilitres(lobe.aboveMm3)}});
-    check("PARTITION-" + lobe.name, std::abs((lobe.belowMm3 + lobe.aboveMm3) / lobe.lobeMm3 - 1.0),
-          MostPartitionError);
-    check("CLOSED-" + lobe.name, static_cast<double>(faultsOf(lobe.below) + faultsOf(lobe.above)),
-          0.0);
+    checks.push_back({"PARTITION-" + lobe.name,
+                      std::abs((lobe.belowMm3 + lobe.aboveMm3) / lobe.lobeMm3 - 1.0),
+                      MostPartitionError});
+    const std::size_t faults = topology(lobe.below).faults() + topology(lobe.above).faults();
+    checks.push_back({"CLOSED-" + lobe.name, static_cast<double>(faults), 0.0});
   }
+  for (Json& check : toJson(checks)) report["checks"].push_back(std::move(check));
 }
 
 }  // namespace pneuma

@@ -29,11 +29,6 @@ constexpr double MostVolumeError = 1e-9;  ///< what decimal numbers of a report 
 constexpr double MostOtherVoxels = 1e-4;
 constexpr std::size_t MostReportBytes = std::size_t{64} << 20;
 
-double faultsOf(const MeshTopology& health) {
-  return static_cast<double>(health.openEdges + health.nonManifoldEdges + health.misorientedEdges +
-                             health.nonManifoldVertices);
-}
-
 /// Lobes of one lung that are there.
 using Lobes = std::vector<const LobeSurface*>;
 
@@ -83,7 +78,7 @@ class Checker {
     }
     const Welding welding = weld(surfaces);
     const TriangleMesh outer = outerSurface(welding.complex);
-    add("LUNG-" + letter, faultsOf(topology(outer)), 0.0);
+    add("LUNG-" + letter, static_cast<double>(topology(outer).faults()), 0.0);
     add("OVERLAP-" + letter, static_cast<double>(welding.conflicts), 0.0);
     if (welding.sharedTriangles == 0) {
       result_.warnings.push_back("the lobes of the " + std::string(name(of)) +

@@ -121,8 +121,7 @@ void splitOne(const LungModel& model, const LobeSurface& lung, const LobeInputs&
     const TriangleMesh mesh = surfaceOf(split.complex, region).mesh;
     const MeshTopology health = topology(mesh);
     LobeShape& shape = result.shapes[lobe];
-    shape.faults = health.openEdges + health.nonManifoldEdges + health.misorientedEdges +
-                   health.nonManifoldVertices;
+    shape.faults = health.faults();
     shape.pieces = health.components;
     shape.genus = genusOf(mesh, health);
     shape.areaMm2 = areaMm2(mesh);

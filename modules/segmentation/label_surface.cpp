@@ -155,8 +155,7 @@ TriangleMesh decimated(vtkPolyData& surface, int triangles, const Progress& prog
     update(*decimation, progress);
     TriangleMesh mesh = meshOf(*decimation->GetOutput());
     const MeshTopology health = topology(mesh);
-    if (health.openEdges == 0 && health.nonManifoldEdges == 0 && health.misorientedEdges == 0 &&
-        health.nonManifoldVertices == 0 && health.components == 1) {
+    if (health.faults() == 0 && health.components == 1) {
       return mesh;
     }
   }

@@ -23,18 +23,6 @@ Vec3 zeroBetween(const Vec3& a, const Vec3& b, double heightA, double heightB) {
   return a + heightA / (heightA - heightB) * (b - a);
 }
 
-/// A grid of hexagons over a box.
-std::vector<WantedPoint> hexagons(const Eigen::AlignedBox2d& box, double step) {
-  std::vector<WantedPoint> points;
-  bool odd = false;
-  for (double v = box.min().y(); v <= box.max().y(); v += step * std::sqrt(0.75), odd = !odd) {
-    for (double u = box.min().x() + (odd ? step / 2.0 : 0.0); u <= box.max().x(); u += step) {
-      points.push_back({Vec2(u, v), FreeOfRim * step});
-    }
-  }
-  return points;
-}
-
 }  // namespace
 
 std::vector<Line> zeroLines(const TriangleMesh& mesh, std::span<const float> heights) {
@@ -92,7 +80,8 @@ TriangleMesh filled(const std::vector<Line>& lines, const HeightSurface& surface
     }
   }
   if (rim.empty()) return {};
-  const auto planar = triangulateInside(rim, edges, hexagons(box, spacingMm));
+  const auto planar =
+      triangulateInside(rim, edges, hexagonalGrid(box, spacingMm, FreeOfRim * spacingMm));
   if (!planar) return {};
   for (std::size_t i = rim.size(); i < planar->points.size(); ++i) {
     mesh.points.push_back(surface.at(planar->points[i]));
