@@ -158,8 +158,8 @@ FissureSnapping snapOne(Fissure fissure, UsedFissure& used, const Surroundings& 
 
 }  // namespace
 
-bool hasThinSlices(const CtImage& ct) {
-  return ct.geometry.spacing.maxCoeff() <= ThickestSliceMm + 1e-6;
+bool hasThinSlices(const ImageGeometry& geometry) {
+  return geometry.spacing.maxCoeff() <= ThickestSliceMm + 1e-6;
 }
 
 void requireThinSlices(const CtImage& ct) {

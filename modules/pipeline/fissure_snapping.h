@@ -41,7 +41,8 @@ struct SnapOptions {
 /// Of thicker slices nothing of a fissure is left to be found: 1 to 2 % of it.
 inline constexpr double ThickestSliceMm = 1.5;
 
-bool hasThinSlices(const CtImage& ct);
+bool hasThinSlices(const ImageGeometry& geometry);
+inline bool hasThinSlices(const CtImage& ct) { return hasThinSlices(ct.geometry); }
 
 /// @throws Unsupported unless hasThinSlices()
 void requireThinSlices(const CtImage& ct);

@@ -20,10 +20,19 @@ std::filesystem::path patchFile(Fissure fissure) {
 }
 
 std::vector<std::filesystem::path> lobeOutputs(const LungModel& model, const LobeInputs& inputs) {
-  std::vector<std::filesystem::path> files;
+  std::vector<Side> sides;
   for (const LobeSurface& surface : *model.surfaces) {
-    if (surface.lobe != Lobe::RightLung && surface.lobe != Lobe::LeftLung) continue;
-    const Side of = side(surface.lobe);
+    if (surface.lobe == Lobe::RightLung || surface.lobe == Lobe::LeftLung) {
+      sides.push_back(side(surface.lobe));
+    }
+  }
+  return lobeOutputs(sides, inputs);
+}
+
+std::vector<std::filesystem::path> lobeOutputs(const std::vector<Side>& sides,
+                                               const LobeInputs& inputs) {
+  std::vector<std::filesystem::path> files;
+  for (const Side of : sides) {
     for (const Lobe lobe : lobesOf(of)) files.push_back(lobeFile(lobe));
     for (const Fissure fissure : fissuresOf(of)) files.push_back(patchFile(fissure));
   }

@@ -21,7 +21,9 @@ std::filesystem::path lobeFile(Lobe lobe);
 /// "fissures/right-oblique.vtp", ...
 std::filesystem::path patchFile(Fissure fissure);
 
-/// What writeLobes() writes for a model, relative to the folder.
+/// What writeLobes() writes for lungs of these sides, or for a model's, relative to the folder.
+std::vector<std::filesystem::path> lobeOutputs(const std::vector<Side>& sides,
+                                               const LobeInputs& inputs);
 std::vector<std::filesystem::path> lobeOutputs(const LungModel& model, const LobeInputs& inputs);
 
 /// Writes lobes, fissures, labels and the report into a folder, and the fissures that were given.

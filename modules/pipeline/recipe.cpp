@@ -31,10 +31,11 @@ class RecipeReader {
       fail("is no recipe: its \"schema\" should be \"" + std::string(Schema) + "\"");
     }
     Recipe recipe;
+    recipe.split = json.contains("lobes");
     recipe.grow = json.contains("airways");
     for (const auto& [stage, options] : json.items()) {
       if (stage == "schema") continue;
-      if (stage == "lobes" || stage == "breathing") {
+      if (stage == "breathing") {
         throw Unsupported("'" + path_.string() + "' asks for the stage \"" + stage +
                           "\", which this version does not have; remove it");
       }
@@ -43,12 +44,14 @@ class RecipeReader {
         readOpen(options, recipe);
       } else if (stage == "lungs") {
         readLungs(options, recipe);
+      } else if (stage == "lobes") {
+        readLobes(options, recipe.lobes);
       } else if (stage == "airways") {
         readAirways(options, recipe);
       } else if (stage == "export") {
         readExport(options, recipe);
       } else {
-        unknown(stage, "stage", {"open", "lungs", "airways", "export"});
+        unknown(stage, "stage", {"open", "lungs", "lobes", "airways", "export"});
       }
     }
     return recipe;
@@ -96,11 +99,14 @@ class RecipeReader {
     forEachField<Options>([&](const auto& field) { names.push_back(field.name); });
   }
 
+  std::filesystem::path besideRecipe(const std::filesystem::path& path) const {
+    return path.is_absolute() ? path : path_.parent_path() / path;
+  }
+
   void readOpen(const Json& options, Recipe& recipe) const {
     for (const auto& [key, value] : options.items()) {
       if (key == "ct") {
-        const std::filesystem::path ct = text(value, "ct");
-        recipe.ct = ct.is_absolute() ? ct : path_.parent_path() / ct;
+        recipe.ct = besideRecipe(text(value, "ct"));
       } else if (key == "series") {
         recipe.series.wanted = value.is_number_unsigned() ? value.dump() : text(value, "series");
       } else if (!set(recipe.corrections, key, value)) {
@@ -118,6 +124,29 @@ class RecipeReader {
       addNames<LungOptions>(names);
       addNames<SurfaceOptions>(names);
       unknown(key, "key under \"lungs\":", names);
+    }
+  }
+
+  void readLobes(const Json& options, LobesRecipe& lobes) const {
+    for (const auto& [key, value] : options.items()) {
+      if (key == "fissures") {
+        lobes.fissures = besideRecipe(text(value, "fissures"));
+      } else if (key == "fractions") {
+        lobes.fractions = text(value, "fractions");
+      } else if (key == "snap") {
+        if (!value.is_boolean()) fail("should have true or false under \"snap\"");
+        lobes.snap = value.get<bool>();
+      } else if (!set(lobes.options, key, value) && !set(lobes.snapOptions, key, value)) {
+        std::vector<std::string_view> names = {"fissures", "fractions", "snap"};
+        addNames<LobeOptions>(names);
+        addNames<SnapOptions>(names);
+        unknown(key, "key under \"lobes\":", names);
+      }
+    }
+    if (lobes.snap && !lobes.fractions.empty()) {
+      fail(
+          "has both \"fractions\" and \"snap\" under \"lobes\": the one would move the fissures "
+          "off what the other finds; leave one");
     }
   }
 
@@ -167,6 +196,15 @@ Json toJson(const Recipe& recipe) {
   json["open"].update(toJson(recipe.corrections));
   json["lungs"] = toJson(recipe.lungs);
   json["lungs"].update(toJson(recipe.surfaces));
+  if (recipe.split) {
+    json["lobes"] = {{"snap", recipe.lobes.snap}};
+    if (!recipe.lobes.fissures.empty()) {
+      json["lobes"]["fissures"] = recipe.lobes.fissures.string();
+    }
+    if (!recipe.lobes.fractions.empty()) json["lobes"]["fractions"] = recipe.lobes.fractions;
+    json["lobes"].update(toJson(recipe.lobes.options));
+    json["lobes"].update(toJson(recipe.lobes.snapOptions));
+  }
   if (recipe.grow) {
     json["airways"] = {{"method", growthMethod(recipe.growth).name}};
     json["airways"].update(

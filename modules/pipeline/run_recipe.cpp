@@ -13,10 +13,13 @@
 #include "io/volume_file.h"
 #include "pipeline/ct_model.h"
 #include "pipeline/detail/run_folder.h"
+#include "pipeline/detail/run_lobes.h"
+#include "pipeline/lobe_files.h"
 #include "pipeline/measure_report.h"
 #include "pipeline/report.h"
 #include "pipeline/segment_report.h"
 #include "pipeline/tree_measurement.h"
+#include "pipeline/whole_lungs.h"
 
 namespace pneuma {
 namespace {
@@ -41,11 +44,13 @@ class Runner {
 
   std::vector<StageResult> run(const Progress& progress) {
     inputs_ = ctInputFiles(recipe_.ct, recipe_.series, progress.part(0.0, 0.05, "reading headers"));
+    if (splits()) lobes_ = lobeInputs(recipe_.lobes);
     if (!options_.dryRun) requireOutputs();
     std::vector<StageResult> results;
     results.push_back(open(progress.part(0.05, 0.2, "reading the CT")));
-    results.push_back(lungs(progress.part(0.2, 0.6, "finding the lungs")));
-    results.push_back(airways(progress.part(0.6, 0.95, "growing")));
+    results.push_back(lungs(progress.part(0.2, 0.5, "finding the lungs")));
+    results.push_back(lobes(progress.part(0.5, 0.65, "splitting the lungs")));
+    results.push_back(airways(progress.part(0.65, 0.95, "growing")));
     results.push_back(exportTree(progress.part(0.95, 1.0, "exporting")));
     progress.report(1.0);
     return results;
@@ -54,12 +59,18 @@ class Runner {
  private:
   bool asked(Stage stage) const { return stage <= options_.upTo; }
 
+  bool splits() const { return recipe_.split && asked(Stage::Lobes); }
+
   /// The files that the stages which are asked for may write.
   std::vector<std::string> outputs() const {
     std::vector<std::string> files;
     if (asked(Stage::Lungs)) {
       files = {run_files::Labels, run_files::Central, run_files::Lungs,
                surfaceFile(Lobe::RightLung), surfaceFile(Lobe::LeftLung)};
+    }
+    if (splits()) {
+      const std::vector<std::string> lobes = runLobeFiles(lobes_);
+      files.insert(files.end(), lobes.begin(), lobes.end());
     }
     if (recipe_.grow && asked(Stage::Airways)) {
       files.insert(files.end(), {run_files::Tree, run_files::Growth});
@@ -102,6 +113,7 @@ class Runner {
     if (lungsKept_ || options_.dryRun) return result;
     CtFile file = readCt(recipe_.ct, recipe_.corrections, progress.part(0.3, 1.0, "reading the CT"),
                          recipe_.series);
+    if (splits() && recipe_.lobes.snap) requireThinSlices(file.image);
     result.warnings = file.warnings;
     model_ = modelOf(std::move(file), recipe_.ct);
     model_.inputs = {{recipe_.ct.string(), content}};
@@ -144,13 +156,41 @@ class Runner {
     return result;
   }
 
+  StageResult lobes(const Progress& progress) {
+    if (!splits()) return {Stage::Lobes, StageState::NotAsked, 0.0, {}, {}};
+    lobesKey_ = sha256(lungsKey_ + contentKey(recipe_.lobes));
+    if (!upstreamChanged_ && isKept(Stage::Lobes, lobesKey_)) return folder_.keep(Stage::Lobes);
+    upstreamChanged_ = true;
+    StageResult result{Stage::Lobes, StageState::Planned, 0.0, {}, {}};
+    if (options_.dryRun) return result;
+    const auto start = std::chrono::steady_clock::now();
+    LungModel model =
+        untangled(openLobes(lungFiles(), progress.part(0.0, 0.2, "reading surfaces")));
+    model = withLabels(model, folder_ / run_files::Labels, progress.part(0.2, 0.25, "reading"));
+    if (recipe_.lobes.snap || hasThinSlices(model.labels->geometry)) {
+      model.ct = model_.ct ? model_.ct
+                           : std::make_shared<const CtImage>(
+                                 readCt(recipe_.ct, recipe_.corrections,
+                                        progress.part(0.25, 0.4, "reading the CT"), recipe_.series)
+                                     .image);
+    }
+    folder_.removeFrom(Stage::Lobes);
+    result.files = writeRunLobes(options_.folder, model, recipe_.lobes, lobes_, result.warnings,
+                                 progress.part(0.4, 1.0, "splitting the lungs"));
+    result.seconds = secondsSince(start);
+    result.state = StageState::Done;
+    folder_.remember(result, lobesKey_);
+    return result;
+  }
+
   StageResult airways(const Progress& progress) {
     if (!recipe_.grow || !asked(Stage::Airways)) {
       return {Stage::Airways, StageState::NotAsked, 0.0, {}, {}};
     }
     const std::string options =
         std::visit([](const auto& chosen) { return toJson(chosen).dump(); }, recipe_.growth);
-    airwaysKey_ = sha256(lungsKey_ + std::string(growthMethod(recipe_.growth).name) + options);
+    airwaysKey_ =
+        sha256(lungsKey_ + lobesKey_ + std::string(growthMethod(recipe_.growth).name) + options);
     if (!upstreamChanged_ && isKept(Stage::Airways, airwaysKey_))
       return folder_.keep(Stage::Airways);
     upstreamChanged_ = true;
@@ -158,8 +198,8 @@ class Runner {
     if (options_.dryRun) return result;
     const auto start = std::chrono::steady_clock::now();
     // The lungs as their files have them, whether they were found now or before.
-    const std::vector<std::filesystem::path> surfaces = surfaceFiles();
-    LungModel model = openLobes(surfaces, progress.part(0.0, 0.2, "reading surfaces"));
+    LungModel model = openLobes(splits() ? lobeFiles() : lungFiles(),
+                                progress.part(0.0, 0.2, "reading surfaces"));
     if (folder_.left(Stage::Lungs, run_files::Central)) {
       model = withCentral(model, folder_ / run_files::Central);
     }
@@ -205,7 +245,19 @@ class Runner {
 
   static std::string surfaceFile(Lobe lung) { return std::string(shortName(lung)) + ".vtp"; }
 
-  std::vector<std::filesystem::path> surfaceFiles() const {
+  std::vector<std::filesystem::path> lobeFiles() const {
+    std::vector<std::filesystem::path> files;
+    for (const Side side : {Side::Right, Side::Left}) {
+      for (const Lobe lobe : lobesOf(side)) {
+        const std::string file =
+            (std::filesystem::path(run_files::Lobes) / lobeFile(lobe)).generic_string();
+        if (folder_.left(Stage::Lobes, file)) files.push_back(folder_ / file);
+      }
+    }
+    return files;
+  }
+
+  std::vector<std::filesystem::path> lungFiles() const {
     std::vector<std::filesystem::path> files;
     for (const Lobe lung : {Lobe::RightLung, Lobe::LeftLung}) {
       const std::string file = surfaceFile(lung);
@@ -219,8 +271,10 @@ class Runner {
   RunFolder folder_;
   std::vector<std::filesystem::path> inputs_;  ///< files of the CT
   LungModel model_;
+  LobeInputs lobes_;
   std::string openKey_;
   std::string lungsKey_;
+  std::string lobesKey_;  ///< empty if the lungs are not split
   std::string airwaysKey_;
   bool lungsKept_ = false;  ///< hashing their files twice would take as long as reading a CT
   bool upstreamChanged_ = false;

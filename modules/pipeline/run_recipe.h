@@ -14,6 +14,7 @@ namespace run_files {
 inline constexpr const char* Labels = "labels.nii.gz";
 inline constexpr const char* Central = "central.vtp";
 inline constexpr const char* Lungs = "lungs.json";
+inline constexpr const char* Lobes = "lobes";  ///< a folder, lobe_files.h
 inline constexpr const char* Tree = "tree.vtp";
 inline constexpr const char* Growth = "growth.json";
 inline constexpr const char* State = "run.json";
@@ -43,13 +44,13 @@ struct StageResult {
   std::vector<std::string> warnings;  ///< whole sentences
 };
 
-/// Does a recipe: CT, lungs and central airways, a grown tree, files of further formats. A stage
+/// Does a recipe: CT, lungs and central airways, lobes, a grown tree, files of further formats. A stage
 /// whose input, options and program are those of the run before, and whose files are still what
 /// they were, is kept: run.json in the folder holds their hashes. Files are written aside and
 /// renamed, run.json last, so that a run that is stopped leaves nothing that counts as done. What a
 /// run before left of a stage that is done anew, and of those after it, is removed; a file that is
 /// not as a run left it stops the run before it begins, and the CT is never overwritten.
-/// @throws as readCt(), segmentLungs(), growAirways(); OutputFailed; Cancelled
+/// @throws as readCt(), segmentLungs(), splitLobes(), growAirways(); OutputFailed; Cancelled
 std::vector<StageResult> runRecipe(const Recipe& recipe, const RunOptions& options,
                                    const Progress& progress = {});
 

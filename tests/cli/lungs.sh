@@ -51,6 +51,7 @@ cat >recipe.json <<'R'
 { "schema": "pneuma/recipe/1",
   "open": { "ct": "chest/dicom" },
   "lungs": { "threshold": "-500HU", "triangles": 40000 },
+  "lobes": { "fractions": "usual", "smoothness": 0.05 },
   "airways": { "method": "centroid", "terminals": 2000 },
   "export": { "tree": ["swc"] } }
 R
@@ -59,25 +60,31 @@ prints '^ *lungs +to do'
 expect "a dry run wrote something" test ! -e out
 succeeds "a recipe" run recipe.json -o out --json
 keeps run-report
-for file in labels.nii.gz right.vtp left.vtp central.vtp lungs.json tree.vtp growth.json tree.swc run.json; do
+for file in labels.nii.gz right.vtp left.vtp central.vtp lungs.json tree.vtp growth.json tree.swc run.json lobes/rul.vtp \
+  lobes/lll.vtp lobes/fissures/right-oblique.vtp lobes/lobes.vtm lobes/labels.nii.gz lobes/lobes.json; do
   expect "$file is not there" test -s "out/$file"
 done
 "$JSON_CHECK" "$SCHEMAS/segment.schema.json" out/lungs.json || fail "lungs.json breaks its schema"
 "$JSON_CHECK" "$SCHEMAS/growth.schema.json" out/growth.json || fail "growth.json breaks its schema"
+"$JSON_CHECK" "$SCHEMAS/lobes.schema.json" out/lobes/lobes.json || fail "lobes.json breaks its schema"
+succeeds "its lobes are sound" check out/lobes -q
 succeeds "again" run recipe.json -o out
 prints '^ *lungs +kept'
+prints '^ *lobes +kept'
 prints '^ *airways +kept'
 sed -i 's/2000/1500/' recipe.json
 succeeds "with other options for the tree" run recipe.json -o out
-prints '^ *lungs +kept'
+prints '^ *lobes +kept'
 prints '^ *airways +done'
 prints '^ *export +done'
+expect "the tree does not grow in lobes" grep -q '"RML"' out/growth.json
 cp out/right.vtp right-before.vtp
 echo >>out/left.vtp
 refuses "a surface that somebody changed" 6 "left.vtp' was changed since.*--force" run recipe.json -o out --up-to lungs
 succeeds "with a surface that was changed, all the same" run recipe.json -o out --up-to lungs --force
 prints '^ *lungs +done'
 expect "the tree of other lungs is still there" test ! -e out/tree.vtp
+expect "lobes of other lungs are still there" test ! -e out/lobes
 cmp -s out/right.vtp right-before.vtp || fail "the same options give another surface"
 prints '^ *airways +not asked for'
 succeeds "from the airways on" run recipe.json -o out --from airways
@@ -121,8 +128,18 @@ echo '{"schema": "pneuma/recipe/1", "lungs": {"thresholds": 1}}' >key.json
 refuses "an unknown key" 4 'did you mean .*threshold' run key.json -o nowhere
 echo '{"schema": "pneuma/recipe/1", "lungs": {"threshold": 5}}' >range.json
 refuses "a value out of range" 2 'threshold.*-900.*-200' run range.json -o nowhere
-echo '{"schema": "pneuma/recipe/1", "lobes": {}}' >lobes.json
-refuses "a stage to come" 5 'lobes.*does not have' run lobes.json -o nowhere
+echo '{"schema": "pneuma/recipe/1", "breathing": {}}' >breathing.json
+refuses "a stage to come" 5 'breathing.*does not have' run breathing.json -o nowhere
+echo '{"schema": "pneuma/recipe/1", "lobes": {"fisures": "f.json"}}' >lobes.json
+refuses "an unknown key of lobes" 4 'under "lobes": "fisures"; did you mean "fissures"' run lobes.json -o nowhere
+echo '{"schema": "pneuma/recipe/1", "lobes": {"snap": 1}}' >lobes.json
+refuses "snap that is a number" 4 'true or false under "snap"' run lobes.json -o nowhere
+echo '{"schema": "pneuma/recipe/1", "lobes": {"snap": true, "fractions": "usual"}}' >lobes.json
+refuses "fractions with snap" 4 'both "fractions" and "snap"' run lobes.json -o nowhere
+echo '{"schema": "pneuma/recipe/1", "lobes": {"fissures": "gone.json"}}' >lobes.json
+refuses "fissures that are not there" 3 'no .*gone.json' run lobes.json --ct chest/ct.nii.gz -o nowhere
+echo '{"schema": "pneuma/recipe/1", "lobes": {"snap": true}}' >lobes.json
+refuses "snapping in thick slices" 5 'slices are .* apart' run lobes.json --ct chest/ct.nii.gz -o thick
 echo '{"schema": "pneuma/recipe/1", "open": {"ct": "gone"}}' >gone.json
 refuses "a CT that is not there" 3 "no .*gone" run gone.json -o nowhere
 echo '{"schema": "pneuma/recipe/1"}' >empty.json

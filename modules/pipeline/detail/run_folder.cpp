@@ -101,7 +101,12 @@ void RunFolder::removeFrom(Stage stage) {
     if (!before_.contains(of)) continue;
     for (const auto& [file, hash] : before_[of]["files"].items()) {
       std::error_code ignored;
-      if (isOwn(file)) std::filesystem::remove(path_ / file, ignored);
+      if (!isOwn(file)) continue;
+      const std::filesystem::path path = path_ / file;
+      std::filesystem::remove(path, ignored);
+      if (path.has_parent_path() && path.parent_path() != path_) {
+        std::filesystem::remove(path.parent_path(), ignored);  // unless there is something in it
+      }
     }
     before_.erase(of);
   }
