@@ -33,6 +33,15 @@ function(pneuma_precompile target)
   endif()
 endfunction()
 
+# pneuma_unite(<target>)
+# With PNEUMA_UNITY: sources of the target are compiled eight at a time, which halves a whole build and
+# makes the rebuild after one changed file longer. For targets whose sources repeat the same templates.
+function(pneuma_unite target)
+  if(PNEUMA_UNITY)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+  endif()
+endfunction()
+
 # pneuma_add_headers_alone(<name> HEADERS ... [PRECOMPILE ...])
 # Built by the target `headers_alone`: every public header in a source of its own, with nothing but what
 # the module passes on. Only Eigen and PRECOMPILE, which most of them include, are compiled once for all.
@@ -57,11 +66,12 @@ function(pneuma_add_headers_alone name)
   add_dependencies(headers_alone ${target})
 endfunction()
 
-# pneuma_add_module(<name> [HEADERS ...] [SOURCES ...] [PUBLIC ...] [PRIVATE ...] [PRECOMPILE ...])
+# pneuma_add_module(<name> [UNITE] [HEADERS ...] [SOURCES ...] [PUBLIC ...] [PRIVATE ...] [PRECOMPILE ...])
 # A static library pneuma::<name> whose headers are included as "<name>/header.h".
+# UNITE: see pneuma_unite.
 # PRECOMPILE: headers of libraries that most of its sources include.
 function(pneuma_add_module name)
-  cmake_parse_arguments(arg "" "" "HEADERS;SOURCES;PUBLIC;PRIVATE;PRECOMPILE" ${ARGN})
+  cmake_parse_arguments(arg "UNITE" "" "HEADERS;SOURCES;PUBLIC;PRIVATE;PRECOMPILE" ${ARGN})
   set(target pneuma_${name})
   if(arg_SOURCES)
     add_library(${target} STATIC ${arg_SOURCES})
@@ -69,6 +79,9 @@ function(pneuma_add_module name)
     target_link_libraries(${target} PRIVATE $<BUILD_INTERFACE:pneuma_compile_options> ${arg_PRIVATE})
     set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
     pneuma_precompile(${target} ${arg_PRECOMPILE})
+    if(arg_UNITE)
+      pneuma_unite(${target})
+    endif()
   else()
     add_library(${target} INTERFACE)
     set(scope INTERFACE)
@@ -81,11 +94,11 @@ function(pneuma_add_module name)
   pneuma_add_headers_alone(${name} HEADERS ${arg_HEADERS} PRECOMPILE ${arg_PRECOMPILE})
 endfunction()
 
-# pneuma_add_test(<name> SOURCES ... LINK ... [LABELS ...] [RENDER])
+# pneuma_add_test(<name> SOURCES ... LINK ... [LABELS ...] [RENDER] [UNITE])
 # One GoogleTest executable; its cases become CTest tests "<name>/Suite.Case".
-# RENDER: runs under Xvfb, and is registered only where xvfb-run exists.
+# UNITE: see pneuma_unite. RENDER: runs under Xvfb, and is registered only where xvfb-run exists.
 function(pneuma_add_test name)
-  cmake_parse_arguments(arg "RENDER" "" "SOURCES;LINK;LABELS" ${ARGN})
+  cmake_parse_arguments(arg "RENDER;UNITE" "" "SOURCES;LINK;LABELS" ${ARGN})
   if(arg_RENDER AND NOT PNEUMA_XVFB_RUN)
     message(STATUS "tests ${name}: not registered, xvfb-run is missing")
     return()
@@ -96,7 +109,10 @@ function(pneuma_add_test name)
   target_link_libraries(${target} PRIVATE pneuma_compile_options ${arg_LINK} GTest::gtest
                                           GTest::gmock GTest::gtest_main)
   if(arg_LINK MATCHES "pneuma")  # else Eigen is not known to it
-    pneuma_precompile(${target} <gtest/gtest.h>)
+    pneuma_precompile(${target} <gmock/gmock.h> <gtest/gtest.h>)
+  endif()
+  if(arg_UNITE)
+    pneuma_unite(${target})
   endif()
   if(arg_RENDER)
     # One process for all cases: starting an X server for each would cost more than the cases.

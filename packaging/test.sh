@@ -41,7 +41,10 @@ step "Configure"
 if [[ -z ${CMAKE_CXX_COMPILER_LAUNCHER:-} ]] && command -v ccache >/dev/null; then
   export CMAKE_CXX_COMPILER_LAUNCHER=ccache
 fi
-cmake --preset release -DPNEUMA_TEST_DATA="$PNEUMA_TEST_DATA"
+# A first build is a whole one: sources are compiled eight at a time. A build that is there stays as it is.
+unity=()
+[[ -f build/release/CMakeCache.txt ]] || unity=(-DPNEUMA_UNITY=ON)
+cmake --preset release -DPNEUMA_TEST_DATA="$PNEUMA_TEST_DATA" "${unity[@]}"
 
 step "Build"
 cmake --build --preset release

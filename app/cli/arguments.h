@@ -100,7 +100,7 @@ CLI::Option* addField(CLI::App& app, Options& options, const Field<Options, Valu
   } else {
     option->type_name(field.unit.empty() ? "N" : std::string(field.unit));
   }
-  option->default_str(textOf(options.*(field.member)));
+  option->default_str(pneuma::textOf(options.*(field.member)));
   return option;
 }
 

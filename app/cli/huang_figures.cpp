@@ -6,7 +6,7 @@
 namespace pneuma::cli {
 namespace {
 
-constexpr int FigureSize = 900;
+constexpr int HuangSize = 900;
 constexpr int StageSize = 480;
 constexpr std::array<int, 6> Stages = {2, 3, 6, 8, 12, 14};
 
@@ -35,7 +35,7 @@ Picture drawn(const LungModel& model, const SceneOptions& options) {
   scene.setOptions(options);
   showModel(scene, model);
   scene.look(viewDirection("anterior"));
-  return renderPicture(scene, FigureSize, FigureSize);
+  return renderPicture(scene, HuangSize, HuangSize);
 }
 
 Picture lobes(const Reproduction& reproduction, const Progress&) {
@@ -68,11 +68,11 @@ Picture wholeTree(const Reproduction& reproduction, const Progress&) {
   return drawn(treeOnly(figureModel(reproduction, "lung")), paperLook());
 }
 
-constexpr std::array<PaperFigure, 3> Figures = {
+constexpr std::array<PaperFigure, 3> HuangPictures = {
     {{"fig1.png", lobes}, {"fig4.png", stages}, {"fig5.png", wholeTree}}};
 
 }  // namespace
 
-std::span<const PaperFigure> huangFigures() { return Figures; }
+std::span<const PaperFigure> huangFigures() { return HuangPictures; }
 
 }  // namespace pneuma::cli

@@ -6,7 +6,7 @@
 namespace pneuma::cli {
 namespace {
 
-constexpr int FigureSize = 1000;
+constexpr int KitaokaSize = 1000;
 constexpr int SheetSize = 700;
 
 /// A part of Fig. 6: the organ that was kept for it, and what it shows.
@@ -38,7 +38,7 @@ Picture projection(const Reproduction& reproduction, std::string_view name, int 
 
 template <std::size_t Part>
 Picture figure6Part(const Reproduction& reproduction, const Progress&) {
-  return projection(reproduction, Projections[Part].name, FigureSize);
+  return projection(reproduction, Projections[Part].name, KitaokaSize);
 }
 
 Picture figure6(const Reproduction& reproduction, const Progress& progress) {
@@ -61,7 +61,7 @@ Picture segments(const Reproduction& reproduction, std::string_view view) {
   scene.setOptions(look);
   showModel(scene, figureModel(reproduction, "7"));
   scene.look(viewDirection(view));
-  return renderPicture(scene, FigureSize, FigureSize);
+  return renderPicture(scene, KitaokaSize, KitaokaSize);
 }
 
 Picture figure7Anterior(const Reproduction& reproduction, const Progress&) {
@@ -72,16 +72,16 @@ Picture figure7Right(const Reproduction& reproduction, const Progress&) {
   return segments(reproduction, "right");
 }
 
-constexpr std::array<PaperFigure, 7> Figures = {{{"fig6.png", figure6},
-                                                 {"fig6a.png", figure6Part<0>},
-                                                 {"fig6b.png", figure6Part<1>},
-                                                 {"fig6b-text.png", figure6Part<2>},
-                                                 {"fig6c.png", figure6Part<3>},
-                                                 {"fig7a.png", figure7Anterior},
-                                                 {"fig7b.png", figure7Right}}};
+constexpr std::array<PaperFigure, 7> KitaokaPictures = {{{"fig6.png", figure6},
+                                                         {"fig6a.png", figure6Part<0>},
+                                                         {"fig6b.png", figure6Part<1>},
+                                                         {"fig6b-text.png", figure6Part<2>},
+                                                         {"fig6c.png", figure6Part<3>},
+                                                         {"fig7a.png", figure7Anterior},
+                                                         {"fig7b.png", figure7Right}}};
 
 }  // namespace
 
-std::span<const PaperFigure> kitaokaFigures() { return Figures; }
+std::span<const PaperFigure> kitaokaFigures() { return KitaokaPictures; }
 
 }  // namespace pneuma::cli

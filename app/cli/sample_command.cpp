@@ -58,7 +58,7 @@ std::string surfaceName(Lobe lobe, SurfaceFormat format) {
   std::string name(shortName(lobe));
   std::transform(name.begin(), name.end(), name.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return name + "." + textOf(format);
+  return name + "." + pneuma::textOf(format);
 }
 
 void requireNotWithoutCt(const SampleArguments& arguments) {

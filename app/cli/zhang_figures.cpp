@@ -8,7 +8,7 @@
 namespace pneuma::cli {
 namespace {
 
-constexpr int FigureSize = 900;
+constexpr int ZhangSize = 900;
 
 /// Fig. 1: a right lung, 80 key points, 10,000 particles.
 Picture outline(const Reproduction&, const Progress& progress) {
@@ -41,14 +41,14 @@ Picture lung(const Reproduction& reproduction, const Progress&) {
   scene.setOptions(look);
   showModel(scene, figureModel(reproduction, "lung"));
   scene.look(viewDirection("anterior"));
-  return renderPicture(scene, FigureSize, FigureSize);
+  return renderPicture(scene, ZhangSize, ZhangSize);
 }
 
-constexpr std::array<PaperFigure, 3> Figures = {
+constexpr std::array<PaperFigure, 3> ZhangPictures = {
     {{"fig1.png", outline}, {"variations.png", variations}, {"lung.png", lung}}};
 
 }  // namespace
 
-std::span<const PaperFigure> zhangFigures() { return Figures; }
+std::span<const PaperFigure> zhangFigures() { return ZhangPictures; }
 
 }  // namespace pneuma::cli

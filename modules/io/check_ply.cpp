@@ -13,7 +13,7 @@ namespace pneuma {
 namespace {
 
 /// VTK's reader has fixed room for lines and for the corners of a face.
-constexpr std::size_t LineLimit = 4000;
+constexpr std::size_t PlyLineLimit = 4000;
 constexpr std::int64_t CornerLimit = 255;
 
 enum class Kind { Signed, Unsigned, Real };
@@ -95,7 +95,7 @@ class PlyCheck {
     if (end == std::string_view::npos && rest_.empty()) throw damaged("it ends too early");
     const std::string_view line = rest_.substr(0, end);
     rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + 1);
-    if (line.size() > LineLimit) throw damaged("it has a line of more than 4000 characters");
+    if (line.size() > PlyLineLimit) throw damaged("it has a line of more than 4000 characters");
     return line;
   }
 

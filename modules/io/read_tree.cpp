@@ -14,7 +14,7 @@ namespace {
 
 using Reader = TreeFile (*)(const std::string& content, const std::string& name);
 
-constexpr std::string_view Formats = "VTP, VTU, SWC, CSV or JSON";
+constexpr std::string_view TreeFormats = "VTP, VTU, SWC, CSV or JSON";
 
 /// The first line that is neither empty nor a comment.
 std::string_view firstDataLine(std::string_view content) {
@@ -88,21 +88,21 @@ TreeFile readTree(const std::filesystem::path& path) {
   const std::string name = quoted(path);
   const std::string extension = lowerCase(path.extension().string());
   if (trimmed(content).empty()) {
-    throw InvalidInput(name + " is empty; give an airway tree as " + std::string(Formats));
+    throw InvalidInput(name + " is empty; give an airway tree as " + std::string(TreeFormats));
   }
   const Reader ofExtension = readerOfExtension(extension);
   const Reader ofContent = readerOfContent(content);
   if (ofContent == nullptr && isSurfaceFileName(path)) {
     throw InvalidInput(name + " is no airway tree but a surface, or damaged; give a tree as " +
-                       std::string(Formats));
+                       std::string(TreeFormats));
   }
   if (ofContent == nullptr && ofExtension == nullptr) {
     throw Unsupported(name + " is not an airway tree that can be read; give " +
-                      std::string(Formats));
+                      std::string(TreeFormats));
   }
   if (ofContent == nullptr && (isBinary(content) || ofExtension == readVtkTree)) {
     throw InvalidInput(name + " does not hold what its extension \"" + extension +
-                       "\" says; give an airway tree as " + std::string(Formats));
+                       "\" says; give an airway tree as " + std::string(TreeFormats));
   }
   TreeFile file = (ofContent != nullptr ? ofContent : ofExtension)(content, name);
   if (ofContent != nullptr && ofContent != ofExtension) {

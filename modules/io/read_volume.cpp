@@ -9,7 +9,7 @@
 namespace pneuma {
 namespace {
 
-constexpr std::string_view Formats =
+constexpr std::string_view VolumeFormats =
     "NIfTI (.nii, .nii.gz), NRRD (.nrrd, .nhdr) or MetaImage (.mha, .mhd)";
 
 /// The format that the name promises, "" if none.
@@ -34,11 +34,12 @@ VolumeLayout layoutOf(const ReadableFile& file) {
   }
   const std::string name = quoted(file.path());
   if (file.size() == 0) {
-    throw InvalidInput(name + " is empty; give a volume as " + std::string(Formats));
+    throw InvalidInput(name + " is empty; give a volume as " + std::string(VolumeFormats));
   }
   const std::string promised = formatOfName(file.path());
   if (promised.empty()) {
-    throw Unsupported(name + " is not a volume that can be read; give " + std::string(Formats));
+    throw Unsupported(name + " is not a volume that can be read; give " +
+                      std::string(VolumeFormats));
   }
   throw InvalidInput(name + " is damaged or no " + promised +
                      " file, although its name says so; get it anew");

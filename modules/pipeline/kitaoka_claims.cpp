@@ -3,8 +3,6 @@
 namespace pneuma {
 namespace {
 
-using Figures = std::vector<KitaokaFigure>;
-
 constexpr std::string_view Thick =
     "18 mm Q^(1/2.8) at the mean flow of 27,306 terminals is 0.47 mm, so that 0.48 needs failed, "
     "thick terminals in the mean";
@@ -22,8 +20,8 @@ constexpr std::string_view AlmostIdentical =
     "with "
     "all rules";
 
-/// Figures of the model with all rules that another tree shares, by the paper.
-Figures likeAllRules(double share, double qf, std::string_view note) {
+/// KitaokaFigures of the model with all rules that another tree shares, by the paper.
+KitaokaFigures likeAllRules(double share, double qf, std::string_view note) {
   return {{"N", 55627, Limit::relative(share), note},
           {"Q_f", 0.001, Limit::range(0.0, qf), note},
           {"C_a", 0.36, Limit::difference(0.03), note},
@@ -33,18 +31,18 @@ Figures likeAllRules(double share, double qf, std::string_view note) {
 }
 
 /// The same without what depends on the organ's shape and size.
-Figures likeSimpleOrgan() {
+KitaokaFigures likeSimpleOrgan() {
   return {{"N", 55627, Limit::relative(0.03), Similar},
           {"Q_f", 0.001, Limit::range(0.0, 0.02), Similar},
           {"C_n", 0.22, Limit::difference(0.10), Similar},
           {"C_a", 0.36, Limit::difference(0.03), Similar}};
 }
 
-void addRotation(Figures& figures, std::string_view note) {
+void addRotation(KitaokaFigures& figures, std::string_view note) {
   figures.push_back({"rotation", 90, Limit::difference(1.0), note});
 }
 
-void addLengthToDiameter(Figures& figures, double limit, std::string_view note) {
+void addLengthToDiameter(KitaokaFigures& figures, double limit, std::string_view note) {
   figures.push_back({"length_to_diameter", 3.06, Limit::difference(limit), note});
 }
 

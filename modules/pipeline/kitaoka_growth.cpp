@@ -11,7 +11,7 @@ namespace {
 
 constexpr double ParenchymaShare = 0.9;  // of the lungs (Weibel 1963, as the paper cites it)
 
-using Figures = std::map<std::string, double>;
+using FigureMap = std::map<std::string, double>;
 
 /// The central airways with their trunk turned and lengthened; only a trunk alone can be.
 AirwayTree withTrunk(const AirwayTree& central, const KitaokaCase& grown) {
@@ -33,7 +33,7 @@ LungModel organOf(const KitaokaCase& grown) {
   return model;
 }
 
-void addEfficiency(const Efficiency& efficiency, Figures& figures) {
+void addEfficiency(const Efficiency& efficiency, FigureMap& figures) {
   figures["N"] = static_cast<double>(efficiency.branches);
   figures["T"] = static_cast<double>(efficiency.terminals);
   figures["failed"] = static_cast<double>(efficiency.failed);
@@ -48,8 +48,8 @@ void addEfficiency(const Efficiency& efficiency, Figures& figures) {
 }
 
 /// What the rules did, from the counts of growth.
-void addRules(const std::vector<std::pair<std::string, double>>& counts, Figures& figures) {
-  const Figures count(counts.begin(), counts.end());
+void addRules(const std::vector<std::pair<std::string, double>>& counts, FigureMap& figures) {
+  const FigureMap count(counts.begin(), counts.end());
   const auto share = [](double part, double whole) { return whole > 0.0 ? part / whole : 0.0; };
   figures["rotation"] = count.at("rotation_mean_deg");
   figures["rotation_sd"] = count.at("rotation_sd_deg");
@@ -65,7 +65,7 @@ void addRules(const std::vector<std::pair<std::string, double>>& counts, Figures
   }
 }
 
-void addTerminals(const AirwayTree& tree, Figures& figures) {
+void addTerminals(const AirwayTree& tree, FigureMap& figures) {
   const std::vector<int> generation = generations(tree);
   std::vector<double> generations;
   std::vector<double> diametersMm;

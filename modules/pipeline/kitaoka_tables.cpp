@@ -68,28 +68,26 @@ std::vector<KitaokaFigure> allRules() {
   return figures({55627, 0.001, 0.22, 0.36, 0.030, 0.012, 0.623}, limits);
 }
 
-using Figures = std::vector<KitaokaFigure>;
-
-Figures rotation(double mean, double sd, const Limit& meanLimit, const Limit& sdLimit,
-                 std::string_view note = {}) {
+KitaokaFigures rotation(double mean, double sd, const Limit& meanLimit, const Limit& sdLimit,
+                        std::string_view note = {}) {
   return {{"rotation", mean, meanLimit, note}, {"rotation_sd", sd, sdLimit, note}};
 }
 
-Figures allRulesRotation() {
+KitaokaFigures allRulesRotation() {
   return rotation(90, 7, Limit::difference(1.0), Limit::range(5.0, 9.0));
 }
 
-Figures lengthToDiameter(double mean, double sd, const Limit& meanLimit, const Limit& sdLimit,
-                         std::string_view note = {}) {
+KitaokaFigures lengthToDiameter(double mean, double sd, const Limit& meanLimit,
+                                const Limit& sdLimit, std::string_view note = {}) {
   return {{"length_to_diameter", mean, meanLimit, note},
           {"length_to_diameter_sd", sd, sdLimit, note}};
 }
 
-Figures allRulesLengthToDiameter() {
+KitaokaFigures allRulesLengthToDiameter() {
   return lengthToDiameter(3.06, 0.46, Limit::difference(0.10), Limit::range(0.40, 0.62));
 }
 
-Figures joined(Figures first, const Figures& second) {
+KitaokaFigures joined(KitaokaFigures first, const KitaokaFigures& second) {
   first.insert(first.end(), second.begin(), second.end());
   return first;
 }
@@ -150,7 +148,7 @@ constexpr std::array<RulesRow, 10> RulesRows = {{
 }};
 
 /// Says so of N and Q_f.
-Figures chaotic(Figures figures) {
+KitaokaFigures chaotic(KitaokaFigures figures) {
   for (KitaokaFigure& figure : figures) {
     if (figure.quantity == "N" || figure.quantity == "Q_f") figure.note = Chaotic;
   }
@@ -168,7 +166,7 @@ KitaokaRow rulesRow(const RulesRow& row) {
     limits.ca = Limit::difference(0.17);
     limits.vr = Limit::difference(0.004);
   }
-  Figures held = figures(row.published, limits);
+  KitaokaFigures held = figures(row.published, limits);
   if (unreached) {
     for (KitaokaFigure& figure : held) {
       if (figure.note.empty()) figure.note = Unreached;
@@ -191,7 +189,7 @@ KitaokaTable rulesTable() {
 
 KitaokaTable rotationTable() {
   const Limits limits{.n = Limit::relative(0.06), .qf = Limit::difference(0.03)};
-  const auto row = [&](double degrees, Figures held, double mean, double sd) {
+  const auto row = [&](double degrees, KitaokaFigures held, double mean, double sd) {
     const Limit wide = Limit::difference(5.0);
     return KitaokaRow{std::to_string(static_cast<int>(degrees)),
                       with([&](KitaokaOptions& options) { options.rotationDeg = degrees; }),
@@ -257,7 +255,7 @@ KitaokaTable ratioTable() {
 KitaokaTable exponentTable() {
   const Limits limits{.n = Limit::relative(0.015), .qf = Limit::difference(0.03)};
   const auto row = [&](const std::string& name, double exponent, const Published& published,
-                       const Figures& lengths) {
+                       const KitaokaFigures& lengths) {
     return KitaokaRow{name,
                       with([&](KitaokaOptions& options) { options.diameterExponent = exponent; }),
                       joined(figures(published, limits), lengths)};

@@ -29,10 +29,12 @@ struct KitaokaFigure {
   std::string_view note = {};
 };
 
+using KitaokaFigures = std::vector<KitaokaFigure>;
+
 struct KitaokaRow {
   std::string name;
   KitaokaCase grown;
-  std::vector<KitaokaFigure> figures;
+  KitaokaFigures figures;
 };
 
 /// That a quantity rises, or falls, from row to row.

@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::size_t Seeds = 6;
 
-constexpr std::array<PaperTable, 5> Tables = {{
+constexpr std::array<PaperTable, 5> ZhangTables = {{
     {"outline", "10,000 particles in the outline of a right lung, means of six seeds"},
     {"shares", "Where 8,000 particles end by what the reaction probability is, pixels of 0.4 mm"},
     {"variations", "What the paper discusses: walls and steps, step length, centre"},
@@ -251,11 +251,11 @@ void lungTable(Rows& rows, Reproduction& result, const ReproduceOptions& options
 void reproduceZhang(const ReproduceOptions& options, Reproduction& result,
                     const Progress& progress) {
   const std::array<double, 6> until = {0.0, 0.03, 0.08, 0.3, 0.4, 1.0};  // shares of the time
-  for (std::size_t i = 0; i < Tables.size(); ++i) {
-    const bool drawn = options.figures && Tables[i].id == "lung";
-    if (!wanted(options, Tables[i].id) && !drawn) continue;
-    ReproducedTable table{std::string(Tables[i].id), std::string(Tables[i].name), {}};
-    const Progress part = progress.part(until[i], until[i + 1], Tables[i].name);
+  for (std::size_t i = 0; i < ZhangTables.size(); ++i) {
+    const bool drawn = options.figures && ZhangTables[i].id == "lung";
+    if (!wanted(options, ZhangTables[i].id) && !drawn) continue;
+    ReproducedTable table{std::string(ZhangTables[i].id), std::string(ZhangTables[i].name), {}};
+    const Progress part = progress.part(until[i], until[i + 1], ZhangTables[i].name);
     if (table.id == "outline") outlineTable(table.rows, part);
     if (table.id == "shares") sharesTable(table.rows, part);
     if (table.id == "variations") variationsTable(table.rows, part);
@@ -268,7 +268,7 @@ void reproduceZhang(const ReproduceOptions& options, Reproduction& result,
 }  // namespace
 
 const Paper& zhang2003() {
-  static const Paper paper{"zhang-2003", "dla", Tables, reproduceZhang};
+  static const Paper paper{"zhang-2003", "dla", ZhangTables, reproduceZhang};
   return paper;
 }
 

@@ -6,14 +6,13 @@
 #include "core/error.h"
 #include "core/joint_progress.h"
 #include "core/parallel.h"
+#include "pipeline/figure_table.h"
 #include "pipeline/trees_at_once.h"
 
 namespace pneuma {
 namespace {
 
 constexpr std::size_t MostSeeds = 10000;
-
-using Figures = std::vector<std::pair<std::string, double>>;
 
 void add(Figures& figures, const std::string& name, std::optional<double> value) {
   if (value.has_value()) figures.emplace_back(name, *value);

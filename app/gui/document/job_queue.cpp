@@ -14,12 +14,12 @@ namespace {
 constexpr int CollectEveryMs = 20;
 constexpr int TellPointsEveryMs = 100;
 
-enum class Outcome { Finished, Cancelled, Failed };
-
 }  // namespace
 
 /// One piece of work, its progress and what became of it.
 struct JobQueue::Job final : ProgressSink {
+  enum class Outcome { Finished, Cancelled, Failed };
+
   std::string title;
   Compute compute;
   std::uint64_t epoch = 0;
@@ -108,7 +108,7 @@ void JobQueue::cancel() {
   const std::lock_guard lock(mutex_);
   // Those that wait are handed over like those that ran, so that each is answered once.
   for (auto& job : waiting_) {
-    job->outcome = Outcome::Cancelled;
+    job->outcome = Job::Outcome::Cancelled;
     done_.push_back(std::move(job));
   }
   waiting_.clear();
@@ -172,10 +172,10 @@ void JobQueue::tellPoints(Job& job) {
 
 void JobQueue::deliver(Job& job) {
   const QString title = QString::fromStdString(job.title);
-  if (job.epoch != epoch_ || job.outcome == Outcome::Cancelled) {
+  if (job.epoch != epoch_ || job.outcome == Job::Outcome::Cancelled) {
     job.continuation = nullptr;
     emit cancelled(title);
-  } else if (job.outcome == Outcome::Failed) {
+  } else if (job.outcome == Job::Outcome::Failed) {
     emit failed(title, QString::fromStdString(job.sentence));
   } else {
     if (job.continuation) job.continuation();

@@ -10,7 +10,7 @@ namespace pneuma {
 namespace {
 
 using Structure = StructureModel::Structure;
-using Kind = StructureModel::Kind;
+using StructureKind = StructureModel::Kind;
 
 /// Within "Right lung" the lobe needs no "right".
 QString lobeName(Lobe lobe) {
@@ -36,8 +36,9 @@ void addSide(std::vector<Structure>& structures, const std::vector<LobeSurface>&
     if (side(surfaces[i].lobe) != which) continue;
     const double ml = surfaces[i].health.volumeMl;
     volume += ml;
-    below.push_back({Kind::Surface, which == Side::None ? 1 : 2, lobeName(surfaces[i].lobe),
-                     withUnit(ml, 0, "mL"), which, surfaces[i].lobe, i});
+    below.push_back({StructureKind::Surface, which == Side::None ? 1 : 2,
+                     lobeName(surfaces[i].lobe), withUnit(ml, 0, "mL"), which, surfaces[i].lobe,
+                     i});
   }
   if (below.empty()) return;
   std::sort(below.begin(), below.end(),
@@ -48,7 +49,8 @@ void addSide(std::vector<Structure>& structures, const std::vector<LobeSurface>&
   if (whole) {
     below.front().depth = 1;
   } else if (which != Side::None) {
-    structures.push_back({Kind::Side, 1, capitalised(name(which)) + QStringLiteral(" lung"),
+    structures.push_back({StructureKind::Side, 1,
+                          capitalised(name(which)) + QStringLiteral(" lung"),
                           withUnit(volume, 0, "mL"), which});
   }
   structures.insert(structures.end(), below.begin(), below.end());
@@ -59,14 +61,15 @@ void addSide(std::vector<Structure>& structures, const std::vector<LobeSurface>&
 void StructureModel::show(const Snapshot& snapshot) {
   std::vector<Structure> next;
   if (snapshot.model.surfaces) {
-    next.push_back({Kind::Lungs, 0, tr("Lungs"), withUnit(lungVolumeMl(snapshot.model), 0, "mL")});
+    next.push_back(
+        {StructureKind::Lungs, 0, tr("Lungs"), withUnit(lungVolumeMl(snapshot.model), 0, "mL")});
     for (const Side which : {Side::Right, Side::Left, Side::None}) {
       addSide(next, *snapshot.model.surfaces, which);
     }
   }
   if (const auto tree = treeOf(snapshot.model)) {
-    next.push_back({Kind::Airways, 0, tr("Airways"), counted(tree->size(), "branch", "branches"),
-                    Side::None, Lobe::Central});
+    next.push_back({StructureKind::Airways, 0, tr("Airways"),
+                    counted(tree->size(), "branch", "branches"), Side::None, Lobe::Central});
   }
   for (Structure& structure : next) {
     const auto before =
@@ -83,13 +86,13 @@ void StructureModel::show(const Snapshot& snapshot) {
 
 std::optional<int> StructureModel::rowOfSurface(std::size_t surface) const {
   for (int i = 0; i < rowCount(); ++i) {
-    if (structure(i).kind == Kind::Surface && structure(i).surface == surface) return i;
+    if (structure(i).kind == StructureKind::Surface && structure(i).surface == surface) return i;
   }
   return std::nullopt;
 }
 
 std::optional<int> StructureModel::rowOfAirways() const {
-  if (structures_.empty() || structures_.back().kind != Kind::Airways) return std::nullopt;
+  if (structures_.empty() || structures_.back().kind != StructureKind::Airways) return std::nullopt;
   return rowCount() - 1;
 }
 

@@ -11,7 +11,7 @@
 namespace pneuma {
 namespace {
 
-constexpr std::string_view Schema =
+constexpr std::string_view MarkupsSchema =
     "https://raw.githubusercontent.com/slicer/slicer/master/Modules/Loadable/Markups/Resources/"
     "Schema/markups-schema-v1.0.3.json#";
 
@@ -219,7 +219,7 @@ GivenFissures fissuresOfMarkups(const std::filesystem::path& path, const Json& j
 }
 
 std::string markupsText(const GivenFissures& fissures) {
-  Json json = {{"@schema", Schema}, {"markups", Json::array()}};
+  Json json = {{"@schema", MarkupsSchema}, {"markups", Json::array()}};
   for (const auto& [fissure, set] : fissures) {
     const std::string name(shortName(fissure));
     Json list = {{"type", "Fiducial"},        {"name", name},

@@ -10,15 +10,15 @@
 namespace pneuma {
 namespace {
 
-struct Header {
+struct MetaHeader {
   HeaderFields fields;
   std::size_t bytes = 0;  ///< up to the voxels
 };
 
 /// "Key = value" line by line; ElementDataFile is the last.
-Header headerOf(const ReadableFile& file, const std::string& name) {
+MetaHeader metaHeader(const ReadableFile& file, const std::string& name) {
   const std::string text = headerText(file);
-  Header header;
+  MetaHeader header;
   Lines lines(text);
   while (const std::optional<std::string_view> line = lines.next()) {
     const std::size_t mark = line->find_first_of("=:");
@@ -43,7 +43,7 @@ bool isTrue(const HeaderFields& fields, std::initializer_list<const char*> keys)
   return value == "true" || value == "t" || value == "1";
 }
 
-Scalar scalarOf(const HeaderFields& fields, const std::string& name) {
+Scalar metaScalar(const HeaderFields& fields, const std::string& name) {
   constexpr std::array<std::pair<std::string_view, Scalar>, 12> Types = {
       {{"MET_CHAR", Scalar::Int8},
        {"MET_UCHAR", Scalar::Uint8},
@@ -140,8 +140,8 @@ void readScale(const HeaderFields& fields, VolumeHeader& header, const std::stri
   }
 }
 
-void placeData(const Header& header, VolumeLayout& layout, const ReadableFile& file,
-               const std::string& name) {
+void placeMetaData(const MetaHeader& header, VolumeLayout& layout, const ReadableFile& file,
+                   const std::string& name) {
   const HeaderFields& fields = header.fields;
   const std::string_view dataFile = fields["elementdatafile"];
   if (lowerCase(dataFile) == "local") {
@@ -176,7 +176,7 @@ void placeData(const Header& header, VolumeLayout& layout, const ReadableFile& f
 
 VolumeLayout metaImageLayout(const ReadableFile& file) {
   const std::string name = quoted(file.path());
-  const Header header = headerOf(file, name);
+  const MetaHeader header = metaHeader(file, name);
   const HeaderFields& fields = header.fields;
   VolumeLayout layout;
   layout.header.format = "MetaImage";
@@ -192,13 +192,13 @@ VolumeLayout metaImageLayout(const ReadableFile& file) {
     throw Unsupported(name + " has " + std::string(fields["elementnumberofchannels"]) +
                       " values to a voxel (colours or vectors); export one volume of them");
   }
-  layout.scalar = scalarOf(fields, name);
+  layout.scalar = metaScalar(fields, name);
   layout.bigEndian = isTrue(fields, {"binarydatabyteordermsb", "elementbyteordermsb"});
   layout.header.geometry = geometryOf(fields, layout.header, name);
   const std::string_view orientation = fields["anatomicalorientation"];
   if (!orientation.starts_with('?')) layout.header.space = orientation;
   readScale(fields, layout.header, name);
-  placeData(header, layout, file, name);
+  placeMetaData(header, layout, file, name);
   return layout;
 }
 

@@ -11,7 +11,7 @@
 namespace pneuma {
 namespace {
 
-struct Header {
+struct NrrdHeader {
   HeaderFields fields;
   std::optional<std::size_t> bytes;  ///< up to the voxels; none if the header fills the file
 };
@@ -27,9 +27,9 @@ std::string_view properField(std::string_view field) {
 }
 
 /// "field: value" line by line up to an empty line; "key:=value" and comments say nothing here.
-Header headerOf(const ReadableFile& file, const std::string& name) {
+NrrdHeader nrrdHeader(const ReadableFile& file, const std::string& name) {
   const std::string text = headerText(file);
-  Header header;
+  NrrdHeader header;
   Lines lines(text);
   const std::string_view magic = lines.next().value_or("");
   if (magic.size() != 8 || !magic.starts_with("NRRD000") || magic[7] < '1' || magic[7] > '5') {
@@ -56,7 +56,7 @@ Header headerOf(const ReadableFile& file, const std::string& name) {
   return header;
 }
 
-Scalar scalarOf(const HeaderFields& fields, const std::string& name) {
+Scalar nrrdScalar(const HeaderFields& fields, const std::string& name) {
   using Row = std::pair<std::string_view, Scalar>;
   constexpr std::array<Row, 38> Types = {{{"signed char", Scalar::Int8},
                                           {"int8", Scalar::Int8},
@@ -129,8 +129,8 @@ bool isBigEndian(const HeaderFields& fields, Scalar scalar, const std::string& n
                      "; add \"endian: little\" or \"endian: big\" to its header");
 }
 
-void placeData(const Header& header, VolumeLayout& layout, const ReadableFile& file,
-               const std::string& name) {
+void placeNrrdData(const NrrdHeader& header, VolumeLayout& layout, const ReadableFile& file,
+                   const std::string& name) {
   const HeaderFields& fields = header.fields;
   if (fields.has("data file")) {
     layout.dataFile = detachedFile(file.path(), fields["data file"]);
@@ -165,14 +165,14 @@ void placeData(const Header& header, VolumeLayout& layout, const ReadableFile& f
 
 VolumeLayout nrrdLayout(const ReadableFile& file) {
   const std::string name = quoted(file.path());
-  const Header header = headerOf(file, name);
+  const NrrdHeader header = nrrdHeader(file, name);
   VolumeLayout layout;
   layout.header.format = "NRRD";
-  layout.scalar = scalarOf(header.fields, name);
+  layout.scalar = nrrdScalar(header.fields, name);
   layout.compressed = isCompressed(header.fields, name);
   layout.bigEndian = isBigEndian(header.fields, layout.scalar, name);
   readNrrdGeometry(header.fields, layout.header, name);
-  placeData(header, layout, file, name);
+  placeNrrdData(header, layout, file, name);
   return layout;
 }
 

@@ -17,10 +17,6 @@ constexpr double FissureHu = 40.0;
 /// Below this height the left lung is collapsed, if it is; higher at the back.
 double collapsedBelow(const Vec3& p) { return -75.0 + 0.35 * p.y(); }
 
-double slabLevel(double value, double low, double high) {
-  return std::min(value - low, high - value);
-}
-
 /// What a lung reaches towards the midline, to touch the other but for a sheet.
 /// @param depth below the wall of the chest, which it lies along in front
 double touchLevel(Side side, double deepMm, double depth, const Vec3& p) {

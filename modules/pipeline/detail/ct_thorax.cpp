@@ -13,14 +13,9 @@ using Level = std::function<double(const Vec3&)>;
 
 constexpr double FatHu = -95.0;
 constexpr double MuscleHu = 50.0;
-constexpr double BloodHu = 41.0;
+constexpr double HeartHu = 41.0;
 constexpr double CompactBoneHu = 700.0;
 constexpr double SpongyBoneHu = 220.0;
-
-/// Positive between the limits.
-double slabLevel(double value, double low, double high) {
-  return std::min(value - low, high - value);
-}
 
 double ellipsoidLevel(const Vec3& p, const Vec3& centre, const Vec3& semiAxes) {
   return -outsideEllipsoid(p, centre, semiAxes);
@@ -77,7 +72,7 @@ class Trunk {
   }
 
   /// A chain of tubes through the points.
-  void addVessel(const std::vector<Vec3>& points, double radius, double hu = BloodHu) {
+  void addVessel(const std::vector<Vec3>& points, double radius, double hu = HeartHu) {
     for (std::size_t i = 1; i < points.size(); ++i) addTube(points[i - 1], points[i], radius, hu);
   }
 
@@ -92,7 +87,7 @@ class Trunk {
       const CtTube tube{arch[i - 1].cwiseProduct(stretch), arch[i].cwiseProduct(stretch), 11.0,
                         11.0};
       add(
-          BloodHu, [=](const Vec3& p) { return tube.level(p.cwiseProduct(stretch)) / Flat; },
+          HeartHu, [=](const Vec3& p) { return tube.level(p.cwiseProduct(stretch)) / Flat; },
           CtTube{arch[i - 1], arch[i], 11.0, 11.0}.box());
     }
   }

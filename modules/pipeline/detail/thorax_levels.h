@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <memory>
 
 #include "pipeline/detail/level_table.h"
@@ -16,5 +17,10 @@ struct ThoraxLevels {
 };
 
 std::shared_ptr<const ThoraxLevels> thoraxLevels();
+
+/// The level of what lies between two limits of one coordinate.
+inline double slabLevel(double value, double low, double high) {
+  return std::min(value - low, high - value);
+}
 
 }  // namespace pneuma
