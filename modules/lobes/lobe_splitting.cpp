@@ -126,17 +126,26 @@ std::vector<Lobe> lobesOf(Side side) {
 
 SplitLung splitLung(const TriangleMesh& lung, Side side, const FissureSurfaces& fissures,
                     double capSpacingMm, const Progress& progress) {
+  return splitLung(lung, side, fissures, {}, capSpacingMm, progress);
+}
+
+SplitLung splitLung(const TriangleMesh& lung, Side side, const FissureSurfaces& fissures,
+                    const FissureSheets& sheets, double capSpacingMm, const Progress& progress) {
   SplitLung split{side, complexOf(lung, idOf(lungOf(side))), {}};
   const std::vector<Step> steps = stepsOf(side);
   for (std::size_t n = 0; n < steps.size(); ++n) {
     const auto part = [&](std::size_t done) {
       return static_cast<double>(done) / static_cast<double>(steps.size());
     };
-    split.reports[steps[n].fissure] = splitRegion(
-        split.complex, fissureIn(fissures, steps[n].fissure),
-        {idOf(steps[n].region), idOf(steps[n].below), idOf(steps[n].above), capSpacingMm},
-        std::string(longName(steps[n].fissure)),
-        progress.part(part(n), part(n + 1), "cutting along fissures"));
+    const Progress now = progress.part(part(n), part(n + 1), "cutting along fissures");
+    const auto& [fissure, region, below, above] = steps[n];
+    const SplitRegion settings{idOf(region), idOf(below), idOf(above), capSpacingMm};
+    const std::string what(longName(fissure));
+    const auto sheet = sheets.find(fissure);
+    split.reports[fissure] =
+        sheet != sheets.end()
+            ? splitRegion(split.complex, *sheet->second, settings, what, now)
+            : splitRegion(split.complex, fissureIn(fissures, fissure), settings, what, now);
   }
   return split;
 }

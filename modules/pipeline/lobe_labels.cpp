@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/parallel.h"
+#include "geometry/nearest_triangle.h"
 #include "geometry/surface_voxels.h"
 #include "lobes/height_table.h"
 #include "segmentation/lung_labels.h"
@@ -60,8 +61,49 @@ void joinStrays(LabelImage& image, std::uint8_t lobe, std::uint8_t other) {
       runs, [&](std::uint32_t r) { return parts.ofRun[r] != largest; }, other, image.voxels);
 }
 
+/// By the meshes: where a fissure folds there is no height to ask. What the image has beyond the
+/// lung's surface goes to the lobe whose surface is nearest.
+void divideByMeshes(LabelImage& image, const SplitLung& lung, const Progress& progress) {
+  const std::uint8_t whole = lung.side == Side::Right ? RightLabel : LeftLabel;
+  for (const Lobe lobe : lobesOf(lung.side)) {
+    const TriangleMesh mesh = surfaceOf(lung.complex, static_cast<RegionId>(lobe)).mesh;
+    const std::vector<std::uint8_t> inside = voxelsInside(mesh, image.geometry, progress);
+    for (std::size_t v = 0; v < inside.size(); ++v) {
+      if (inside[v] != 0 && image.voxels[v] == whole) {
+        image.voxels[v] = static_cast<std::uint8_t>(lobe);
+      }
+    }
+  }
+  TriangleMesh wall{lung.complex.points, {}};
+  std::vector<RegionId> lobeOf;
+  for (const Facet& facet : lung.complex.facets) {
+    if (facet.behind != OutsideRegion && facet.front != OutsideRegion) continue;
+    wall.triangles.push_back(facet.corners);
+    lobeOf.push_back(std::max(facet.behind, facet.front));
+  }
+  const NearestTriangle nearest(wall);
+  const ImageGeometry& geometry = image.geometry;
+  parallelFor(static_cast<std::size_t>(geometry.size[2]), [&](std::size_t k) {
+    progress.throwIfStopped();
+    for (int j = 0; j < geometry.size[1]; ++j) {
+      std::uint8_t* row = &image.voxels[geometry.index(0, j, static_cast<int>(k))];
+      for (int i = 0; i < geometry.size[0]; ++i) {
+        if (row[i] != whole) continue;
+        const Eigen::Vector3i voxel(i, j, static_cast<int>(k));
+        const Vec3 p = geometry.worldFromVoxel(voxel.cast<double>());
+        row[i] = lobeOf[nearest.nearest(p).triangle];
+      }
+    }
+  });
+}
+
 void divide(LabelImage& image, const SplitLung& lung, const UsedFissures& fissures,
             const Progress& progress) {
+  const FissureSheets folding = sheetsIn(fissures);
+  if (std::ranges::any_of(folding, [&](const auto& f) { return side(f.first) == lung.side; })) {
+    divideByMeshes(image, lung, progress);
+    return;
+  }
   const bool right = lung.side == Side::Right;
   const std::uint8_t whole = right ? RightLabel : LeftLabel;
   const Box3 box = boxOfLabel(image, whole);

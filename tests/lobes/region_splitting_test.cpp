@@ -2,21 +2,21 @@
 
 #include <cmath>
 #include <cstdlib>
-#include <map>
 #include <numbers>
-#include <set>
 
 #include <gtest/gtest.h>
 
 #include "core/error.h"
 #include "core/random.h"
-#include "geometry/mesh_topology.h"
-#include "geometry/self_intersections.h"
 #include "geometry/test_surfaces.h"
 #include "lobes/fissure_fit.h"
+#include "sound_regions.h"
 
 namespace pneuma {
 namespace {
+
+using testing::contactsIn;
+using testing::expectSound;
 
 /// A lung's size, with bumps and a hollow where the heart lies.
 TriangleMesh lung(int levels, Random& random) {
@@ -58,21 +58,6 @@ HeightSurface roughFissure(const HeightSurface& flat, double rough, int n, doubl
 constexpr RegionId Lower = 3;
 constexpr RegionId Middle = 2;
 constexpr RegionId Upper = 1;
-
-void expectSound(const RegionComplex& complex, RegionId region, bool full = true) {
-  const RegionSurface surface = surfaceOf(complex, region);
-  const MeshTopology health = topology(surface.mesh);
-  EXPECT_EQ(health.openEdges, 0U);
-  EXPECT_EQ(health.nonManifoldEdges, 0U);
-  EXPECT_EQ(health.misorientedEdges, 0U);
-  EXPECT_EQ(health.nonManifoldVertices, 0U);
-  EXPECT_EQ(health.duplicateTriangles, 0U);
-  EXPECT_EQ(pieceCount(complex, region), 1U);
-  EXPECT_GT(signedVolumeMm3(surface.mesh), 0.0);
-  if (full) {
-    EXPECT_EQ(selfIntersecting(surface.mesh).pairs, 0U);
-  }
-}
 
 std::string refusal(RegionComplex& complex, const HeightSurface& surface) {
   try {
@@ -129,15 +114,7 @@ TEST(RegionSplitting, SharesTrianglesAtTheTripleLine) {
     sum += volumeMm3(complex, region);
   }
   EXPECT_NEAR(sum / whole, 1.0, 1e-13);
-  // Every triangle is between two regions once, by the numbers of its points.
-  std::set<std::array<std::uint32_t, 3>> seen;
-  std::map<std::pair<RegionId, RegionId>, int> contacts;
-  for (const Facet& facet : complex.facets) {
-    std::array<std::uint32_t, 3> corners = facet.corners;
-    std::ranges::sort(corners);
-    EXPECT_TRUE(seen.insert(corners).second);
-    ++contacts[{facet.behind, facet.front}];
-  }
+  std::map<std::pair<RegionId, RegionId>, int> contacts = contactsIn(complex);
   EXPECT_GT((contacts[{Lower, Middle}]), 100);
   EXPECT_GT((contacts[{Lower, Upper}]), 100);
   EXPECT_GT((contacts[{Middle, Upper}]), 100);
