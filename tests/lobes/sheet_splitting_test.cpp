@@ -198,6 +198,40 @@ TEST(SheetSplitting, GoesOnToTheWallFromARimUponIt) {
   EXPECT_NEAR(volumeMm3(again, Lower) / below, 1.0, 1e-5);
 }
 
+TEST(SheetSplitting, RefusesASheetThatOneComesAround) {
+  // Through one side of a ring; the other side joins both parts.
+  const TriangleMesh half =
+      bentGrid(20, 20, [](double a, double b) { return Vec3(60.0 + 40.0 * a, 5.0 * a, 40.0 * b); });
+  const FissureSheet sheet = fissureSheet(half, Vec3::UnitY(), 0.0, "surface");
+  RegionComplex complex = complexOf(testing::torus(60.0, 25.0), Upper);
+  try {
+    splitRegion(complex, sheet, Oblique, "oblique fissure");
+    FAIL();
+  } catch (const InvalidInput& error) {
+    EXPECT_NE(std::string(error.what()).find("does not part the lung"), std::string::npos);
+  }
+}
+
+TEST(SheetSplitting, CutsEveryPieceOfALungOfSeveralAndLeavesThoseBesideWhole) {
+  TriangleMesh lungs = ellipsoid();
+  for (const double beside : {-130.0, 260.0}) {
+    TriangleMesh other = ellipsoid(4);
+    for (Vec3& p : other.points) p = 0.9 * p + Vec3(beside, 0.0, 0.0);
+    lungs = testing::together(lungs, other);
+  }
+  TriangleMesh sheet = bentGrid(120, 40, [](double a, double b) {  // over two of them
+    const double x = 75.0 * (2.0 * a - 1.0) + 45.0 * std::sin(2.0 * std::numbers::pi * a);
+    return Vec3(x + 10.0, 100.0 * b, 20.0 * std::cos(std::numbers::pi * a));
+  });
+  RegionComplex complex = complexOf(lungs, Upper);
+  const double whole = volumeMm3(complex, Upper);
+  splitRegion(complex, sheetOf(sheet), Oblique, "fissure");
+  EXPECT_EQ(pieceCount(complex, Lower) + pieceCount(complex, Upper), 5U);
+  expectSound(complex, Lower, pieceCount(complex, Lower));
+  expectSound(complex, Upper, pieceCount(complex, Upper));
+  EXPECT_NEAR((volumeMm3(complex, Upper) + volumeMm3(complex, Lower)) / whole, 1.0, 1e-13);
+}
+
 TEST(SheetSplitting, RefusesWhatIsNoSheet) {
   TriangleMesh beside = overhanging();
   for (Vec3& p : beside.points) p.x() += 300.0;
