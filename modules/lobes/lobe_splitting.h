@@ -25,6 +25,13 @@ std::vector<Fissure> fissuresOf(Side side);
 /// The lobes of a lung, upper before lower.
 std::vector<Lobe> lobesOf(Side side);
 
+/// The lobe of a place by the fissures that it lies below. The left lung has no horizontal one.
+constexpr Lobe lobeBy(Side side, bool belowOblique, bool belowHorizontal) {
+  if (side == Side::Left) return belowOblique ? Lobe::LeftLower : Lobe::LeftUpper;
+  if (belowOblique) return Lobe::RightLower;
+  return belowHorizontal ? Lobe::RightMiddle : Lobe::RightUpper;
+}
+
 /// One lung in lobes. Its regions have the numbers of Lobe.
 struct SplitLung {
   Side side = Side::None;
