@@ -5,12 +5,12 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <set>
 #include <string>
 
 #include "core/error.h"
 #include "core/parallel.h"
 #include "geometry/nearest_triangle.h"
+#include "lobes/welding.h"
 
 namespace pneuma {
 namespace {
@@ -35,12 +35,6 @@ Vec3 middleOf(const TriangleMesh& mesh, const Triangle& t) {
   return (mesh.points[t[0]] + mesh.points[t[1]] + mesh.points[t[2]]) / 3.0;
 }
 
-/// The same turn with the least number first.
-Triangle leastFirst(Triangle t) {
-  std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
-  return t;
-}
-
 void add(FissureContact& contact, const Vec3& point, double areaMm2, double gapMm) {
   contact.points.push_back(point);
   contact.areasMm2.push_back(areaMm2);
@@ -51,29 +45,15 @@ void add(FissureContact& contact, const Vec3& point, double areaMm2, double gapM
 
 /// Triangles that both have, turned the other way.
 FissureContact sharedTriangles(const TriangleMesh& below, const TriangleMesh& above) {
-  std::map<std::array<double, 3>, std::uint32_t> numberOf;
-  std::vector<std::uint32_t> ofAbove;
-  const auto key = [](const Vec3& p) { return std::array{p.x(), p.y(), p.z()}; };
-  for (const Vec3& p : above.points) {
-    ofAbove.push_back(
-        numberOf.try_emplace(key(p), static_cast<std::uint32_t>(numberOf.size())).first->second);
-  }
-  std::set<Triangle> there;
-  for (const auto& [a, b, c] : above.triangles) {
-    there.insert(leastFirst({ofAbove[a], ofAbove[c], ofAbove[b]}));
-  }
+  constexpr RegionId Below = 1;
+  constexpr RegionId Above = 2;
+  const std::array<std::pair<RegionId, const TriangleMesh*>, 2> both = {
+      {{Below, &below}, {Above, &above}}};
+  const TriangleMesh mesh = contactOf(weld(both).complex, Below, Above);
   FissureContact contact;
   contact.shared = true;
-  for (const Triangle& t : below.triangles) {
-    Triangle numbers{};
-    bool known = true;
-    for (std::size_t corner = 0; corner < 3 && known; ++corner) {
-      const auto found = numberOf.find(key(below.points[t[corner]]));
-      known = found != numberOf.end();
-      if (known) numbers[corner] = found->second;
-    }
-    if (!known || !there.contains(leastFirst(numbers))) continue;
-    add(contact, middleOf(below, t), crossOf(below, t).norm() / 2.0, 0.0);
+  for (const Triangle& t : mesh.triangles) {
+    add(contact, middleOf(mesh, t), crossOf(mesh, t).norm() / 2.0, 0.0);
   }
   return contact;
 }
@@ -163,26 +143,31 @@ FissureContact contactBetween(const TriangleMesh& below, const TriangleMesh& abo
   return withMean(std::move(most ? shared : facing));
 }
 
-FissureContact joined(FissureContact a, const FissureContact& b) {
-  a.gapMeanMm = a.gapMeanMm * a.areaMm2 + b.gapMeanMm * b.areaMm2;
-  a.points.insert(a.points.end(), b.points.begin(), b.points.end());
-  a.areasMm2.insert(a.areasMm2.end(), b.areasMm2.begin(), b.areasMm2.end());
-  a.areaMm2 += b.areaMm2;
-  a.gapLargestMm = std::max(a.gapLargestMm, b.gapLargestMm);
-  a.shared = a.shared && b.shared;
-  return withMean(std::move(a));
+std::vector<LobePair> pairsBeside(Fissure fissure, const std::map<Lobe, TriangleMesh>& lobes) {
+  std::vector<LobePair> pairs;
+  for (const auto& [below, above] : lobesBeside(fissure)) {
+    if (!lobes.contains(below) || !lobes.contains(above)) return {};
+    pairs.push_back({below, above, contactBetween(lobes.at(below), lobes.at(above))});
+  }
+  return pairs;
+}
+
+FissureContact joined(std::span<const LobePair> pairs) {
+  FissureContact all;
+  all.shared = !pairs.empty();
+  for (const auto& [below, above, contact] : pairs) {
+    all.points.insert(all.points.end(), contact.points.begin(), contact.points.end());
+    all.areasMm2.insert(all.areasMm2.end(), contact.areasMm2.begin(), contact.areasMm2.end());
+    all.areaMm2 += contact.areaMm2;
+    all.gapMeanMm += contact.gapMeanMm * contact.areaMm2;
+    all.gapLargestMm = std::max(all.gapLargestMm, contact.gapLargestMm);
+    all.shared = all.shared && contact.shared;
+  }
+  return withMean(std::move(all));
 }
 
 FissureContact fissureContact(Fissure fissure, const std::map<Lobe, TriangleMesh>& lobes) {
-  FissureContact contact;
-  bool first = true;
-  for (const auto& [below, above] : lobesBeside(fissure)) {
-    if (!lobes.contains(below) || !lobes.contains(above)) return {};
-    FissureContact part = contactBetween(lobes.at(below), lobes.at(above));
-    contact = first ? std::move(part) : joined(std::move(contact), part);
-    first = false;
-  }
-  return contact;
+  return joined(pairsBeside(fissure, lobes));
 }
 
 std::vector<Vec3> farthestPoints(const FissureContact& contact, std::size_t n) {

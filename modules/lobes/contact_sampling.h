@@ -30,8 +30,18 @@ std::vector<std::pair<Lobe, Lobe>> lobesBeside(Fissure fissure);
 /// the second, the surfaces facing each other there. Empty if they do not touch.
 FissureContact contactBetween(const TriangleMesh& below, const TriangleMesh& above);
 
-/// The contacts of a lobe with two others as one.
-FissureContact joined(FissureContact a, const FissureContact& b);
+/// Two lobes beside a fissure, and where they touch.
+struct LobePair {
+  Lobe below = Lobe::Whole;
+  Lobe above = Lobe::Whole;
+  FissureContact contact;
+};
+
+/// Those of lobesBeside(); none if a lobe is missing.
+std::vector<LobePair> pairsBeside(Fissure fissure, const std::map<Lobe, TriangleMesh>& lobes);
+
+/// Contacts beside one fissure as one.
+FissureContact joined(std::span<const LobePair> pairs);
 
 /// The true fissure of lobes that touch.
 /// @return nothing upon it if a lobe beside the fissure is missing

@@ -75,7 +75,9 @@ class Cutter {
       progress.throwIfStopped();
       const std::size_t end = std::min(height_.size(), (chunk + 1) * Chunk);
       for (std::size_t v = chunk * Chunk; v < end; ++v) {
-        if (isOf[v] != 0) height_[v] = surface_.height(complex_.points[v]);
+        if (isOf[v] == 0) continue;
+        height_[v] =
+            settings_.heights.empty() ? surface_.height(complex_.points[v]) : settings_.heights[v];
       }
     });
     cut_.lowestMm = std::numeric_limits<double>::infinity();

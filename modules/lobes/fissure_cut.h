@@ -19,6 +19,8 @@ struct CutSettings {
   double capSpacingMm = 2.5;
   std::vector<Vec2> capPoints;                            ///< that the cap has to have besides
   std::unordered_map<std::uint32_t, std::int8_t> sideOf;  ///< of points whose side is decided
+  /// Heights of the complex's points over the surface, where they are known; empty: asked for.
+  std::vector<double> heights = {};
 };
 
 enum class CutOutcome {

@@ -14,6 +14,12 @@ namespace {
 /// Second to first eigenvalue of the points' spread, below which they lie on a line.
 constexpr double LineShare = 1e-4;
 
+/// Standard deviation of points along an axis, over a surface's scale, from which they tell all of
+/// its slope there: 18 mm for a proposal. With 0.3 the worst of 40 draws of three points rises from
+/// 0.15 to 0.80 (Dice of the middle lobe), and five give what they gave.
+constexpr double TellingSpread = 0.3;
+constexpr std::size_t EnoughPoints = 6;  ///< that are taken at their word
+
 double weightOf(std::span<const double> weights, std::size_t i) {
   return weights.empty() ? 1.0 : weights[i];
 }
@@ -52,12 +58,52 @@ std::vector<Vec2> knotsOf(const HeightSurface& surface, std::span<const Vec3> po
   return knots;
 }
 
+/// Takes back of a correction's slope what the points hardly tell: across points that lie nearly on
+/// one line a millimetre would tilt the whole fissure. The height at their middle stays.
+/// @param correction height and slopes along both axes, for coordinates as those of the knots
+Vec3 withoutGuesses(const Vec3& correction, const std::vector<Vec2>& knots) {
+  Vec2 middle = Vec2::Zero();
+  for (const Vec2& knot : knots) middle += knot / static_cast<double>(knots.size());
+  Eigen::Matrix2d spread = Eigen::Matrix2d::Zero();
+  for (const Vec2& knot : knots) {
+    spread += (knot - middle) * (knot - middle).transpose() / static_cast<double>(knots.size());
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(spread);
+  const Vec2 slope(correction[1], correction[2]);
+  Vec2 kept = Vec2::Zero();
+  for (int axis = 0; axis < 2; ++axis) {
+    const double told = axes.eigenvalues()[axis] / (TellingSpread * TellingSpread);
+    const Vec2 along = axes.eigenvectors().col(axis);
+    kept += std::clamp(told, 0.0, 1.0) * slope.dot(along) * along;
+  }
+  return {correction[0] + (slope - kept).dot(middle), kept.x(), kept.y()};
+}
+
 HeightSurface flatOf(const BestPlane& plane) {
   HeightSurface flat;
   flat.centre = plane.centre;
   flat.axes = plane.axes;
   flat.scale = plane.scale;
   return flat;
+}
+
+/// The spline of what lies between a surface and points.
+HeightSurface splineUpon(const HeightSurface& prior, std::span<const Vec3> points,
+                         const FissureFitOptions& options, std::span<const double> weights) {
+  HeightSurface surface = prior;
+  surface.knots = knotsOf(prior, points);
+  const Eigen::VectorXd solved = systemOf(surface.knots, weights, options.smoothness)
+                                     .colPivHouseholderQr()
+                                     .solve(besideOf(prior, points));
+  const auto n = static_cast<Eigen::Index>(points.size());
+  for (Eigen::Index c = 0; c < 3; ++c)
+    surface.quadratic[static_cast<std::size_t>(c)] += solved(n + c);
+  surface.weights.assign(solved.data(), solved.data() + n);
+  if (points.size() == 3) {  // exactly the plane
+    surface.knots.clear();
+    surface.weights.clear();
+  }
+  return surface;
 }
 
 }  // namespace
@@ -105,33 +151,31 @@ BestPlane bestPlane(std::span<const Vec3> points, std::span<const double> weight
 HeightSurface fitFissure(std::span<const Vec3> points, const FissureFitOptions& options,
                          std::span<const double> weights) {
   requireValid(options);
-  return bentThrough(flatOf(bestPlane(points, weights)), points, options, weights);
+  return splineUpon(flatOf(bestPlane(points, weights)), points, options, weights);
 }
 
 HeightSurface bentThrough(const HeightSurface& prior, std::span<const Vec3> points,
                           const FissureFitOptions& options, std::span<const double> weights) {
   requireValid(options);
   bestPlane(points, weights);  // refuses what no surface goes through
-  HeightSurface surface = prior;
-  surface.knots = knotsOf(prior, points);
-  const Eigen::VectorXd solved = systemOf(surface.knots, weights, options.smoothness)
-                                     .colPivHouseholderQr()
-                                     .solve(besideOf(prior, points));
-  const auto n = static_cast<Eigen::Index>(points.size());
-  for (Eigen::Index c = 0; c < 3; ++c)
-    surface.quadratic[static_cast<std::size_t>(c)] += solved(n + c);
-  surface.weights.assign(solved.data(), solved.data() + n);
-  if (points.size() == 3) {  // exactly the plane
-    surface.knots.clear();
-    surface.weights.clear();
+  HeightSurface bent = splineUpon(prior, points, options, weights);
+  if (points.size() >= EnoughPoints) return bent;
+  const std::vector<Vec2> knots = knotsOf(prior, points);
+  Vec3 correction;
+  for (std::size_t c = 0; c < 3; ++c) {
+    correction[static_cast<Eigen::Index>(c)] = bent.quadratic[c] - prior.quadratic[c];
   }
-  return surface;
+  correction = withoutGuesses(correction, knots);
+  for (std::size_t c = 0; c < 3; ++c) {
+    bent.quadratic[c] = prior.quadratic[c] + correction[static_cast<Eigen::Index>(c)];
+  }
+  return bent;
 }
 
 std::vector<double> leaveOneOut(std::span<const Vec3> points, const FissureFitOptions& options) {
   if (points.size() < 4) return {};
   const HeightSurface flat = flatOf(bestPlane(points));
-  const HeightSurface all = bentThrough(flat, points, options);
+  const HeightSurface all = splineUpon(flat, points, options, {});
   // Without solving again: what a point misses the others by is its weight over the inverse's
   // element (Rippa 1999).
   const Eigen::MatrixXd inverse =

@@ -48,7 +48,8 @@ HeightSurface fitFissure(std::span<const Vec3> points, const FissureFitOptions& 
                          std::span<const double> weights = {});
 
 /// A given surface bent through points: the spline of what lies between. For few points, where a
-/// surface that most people have is better than a plane.
+/// surface that most people have is better than a plane. Points nearly on one line leave its slope
+/// across that line as it is, so that few of them may be missed by a little.
 /// @param prior without knots
 HeightSurface bentThrough(const HeightSurface& prior, std::span<const Vec3> points,
                           const FissureFitOptions& options = {},

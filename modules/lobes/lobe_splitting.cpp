@@ -1,17 +1,22 @@
 #include "lobes/lobe_splitting.h"
 
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <string>
 
 #include "core/error.h"
+#include "core/parallel.h"
 #include "lobes/fissure_cut.h"
 
 namespace pneuma {
 namespace {
 
 constexpr double ShareTolerance = 1e-7;
+constexpr double SplitTolerance = 5e-7;
 constexpr int SolveSteps = 60;
+constexpr int MoveAttempts = 12;
+constexpr double TurnPerAttempt = 1e-5;  ///< slope: 1e-3 mm at 100 mm
 constexpr double NudgeMm = 1e-3;  ///< where a cut runs through a point in a way that cannot be
 
 RegionId idOf(Lobe lobe) { return static_cast<RegionId>(lobe); }
@@ -46,57 +51,118 @@ HeightSurface moved(HeightSurface surface, double mm) {
   return surface;
 }
 
-/// The volume below a fissure moved by `mm`, or less than 0 if it does not cross.
-double volumeBelow(const RegionComplex& complex, const Step& step, const HeightSurface& fissure,
-                   double mm, double capSpacingMm, const Progress& progress) {
-  for (int attempt = 0; attempt < 5; ++attempt) {
-    RegionComplex work = complex;
-    const CutSettings settings{.region = idOf(step.region),
-                               .below = idOf(step.below),
-                               .above = idOf(step.above),
-                               .snap = 0.1,
-                               .capSpacingMm = capSpacingMm,
-                               .capPoints = {},
-                               .sideOf = {}};
-    const Cut cut = cutRegion(work, moved(fissure, mm + attempt * NudgeMm), settings, progress);
-    if (cut.outcome == CutOutcome::Done) return volumeMm3(work, idOf(step.below));
-    if (cut.outcome == CutOutcome::DoesNotCross) {
-      return cut.highestMm <= 0.0 ? volumeMm3(complex, idOf(step.region)) : 0.0;
-    }
+/// Moves a fissure within a region until a wanted volume lies below it.
+class Mover {
+ public:
+  Mover(const RegionComplex& complex, const Step& step, const HeightSurface& fissure,
+        double capSpacingMm, const Progress& progress)
+      : complex_(complex),
+        step_(step),
+        fissure_(fissure),
+        capSpacingMm_(capSpacingMm),
+        progress_(progress),
+        whole_(volumeMm3(complex, idOf(step.region))),
+        heights_(complex.points.size()) {
+    // Moved, it has the same heights but for a number: splines of many knots are asked only once.
+    parallelFor(heights_.size(),
+                [&](std::size_t v) { heights_[v] = fissure_.height(complex_.points[v]); });
   }
-  throw InvalidInput("the " + std::string(longName(step.fissure)) +
-                     " cannot be moved to the wanted volume; set points instead");
-}
 
-/// By how much a fissure has to be moved for a volume below it.
-double moveFor(const RegionComplex& complex, const Step& step, const HeightSurface& fissure,
-               double wantedMm3, double capSpacingMm, const Progress& progress) {
-  double low = 1e300;
-  double high = -1e300;
-  for (const Facet& facet : complex.facets) {
-    if (!facet.borders(idOf(step.region))) continue;
-    for (const std::uint32_t v : facet.corners) {
-      const double h = fissure.height(complex.points[v]);
-      low = std::min(low, h);
-      high = std::max(high, h);
+  struct Move {
+    double mm = 0.0;
+    double belowMm3 = 0.0;  ///< by a single cut
+  };
+
+  /// By how much, so that this is the volume by a single cut. It may miss it where the volume
+  /// jumps: a cut runs through points that are near.
+  Move moveFor(double wantedMm3) const {
+    double low = std::numeric_limits<double>::infinity();
+    double high = -low;
+    for (const Facet& facet : complex_.facets) {
+      if (!facet.borders(idOf(step_.region))) continue;
+      for (const std::uint32_t v : facet.corners) {
+        low = std::min(low, heights_[v]);
+        high = std::max(high, heights_[v]);
+      }
     }
+    double lowMissing = -wantedMm3;
+    double highMissing = whole_ - wantedMm3;
+    for (int i = 0; i < SolveSteps; ++i) {
+      progress_.throwIfStopped();
+      // Regula falsi, every third time a bisection: volumes are flat at the ends.
+      const double mm = i % 3 == 2 ? (low + high) / 2.0
+                                   : low + (high - low) * lowMissing / (lowMissing - highMissing);
+      const double below = volumeBelow(mm);
+      const double missing = below - wantedMm3;
+      if (std::abs(missing) <= ShareTolerance * whole_ || high - low < 1e-9) return {mm, below};
+      (missing < 0.0 ? low : high) = mm;
+      (missing < 0.0 ? lowMissing : highMissing) = missing;
+    }
+    refuse();
   }
-  const double whole = volumeMm3(complex, idOf(step.region));
-  double lowMissing = -wantedMm3;
-  double highMissing = whole - wantedMm3;
-  for (int i = 0; i < SolveSteps; ++i) {
-    progress.throwIfStopped();
-    // Regula falsi, every third time a bisection: volumes are flat at the ends.
-    const double mm = i % 3 == 2 ? (low + high) / 2.0
-                                 : low + (high - low) * lowMissing / (lowMissing - highMissing);
-    const double missing =
-        volumeBelow(complex, step, fissure, mm, capSpacingMm, progress) - wantedMm3;
-    if (std::abs(missing) <= ShareTolerance * whole || high - low < 1e-9) return mm;
-    (missing < 0.0 ? low : high) = mm;
-    (missing < 0.0 ? lowMissing : highMissing) = missing;
+
+  [[noreturn]] void refuse() const {
+    throw InvalidInput("the wanted volume beside the " + std::string(longName(step_.fissure)) +
+                       " cannot be reached; set points instead");
   }
-  throw InvalidInput("the wanted volume beside the " + std::string(longName(step.fissure)) +
-                     " cannot be reached");
+
+ private:
+  /// The volume below the fissure moved by `mm`; none or all of it where that does not cross.
+  double volumeBelow(double mm) const {
+    for (int attempt = 0; attempt < 5; ++attempt) {
+      const double by = mm + attempt * NudgeMm;
+      RegionComplex work = complex_;
+      CutSettings settings{.region = idOf(step_.region),
+                           .below = idOf(step_.below),
+                           .above = idOf(step_.above),
+                           .snap = 0.1,
+                           .capSpacingMm = capSpacingMm_,
+                           .capPoints = {},
+                           .sideOf = {},
+                           .heights = heights_};
+      for (double& height : settings.heights) height -= by;
+      const Cut cut = cutRegion(work, moved(fissure_, by), settings, progress_);
+      if (cut.outcome == CutOutcome::Done) return volumeMm3(work, idOf(step_.below));
+      if (cut.outcome == CutOutcome::DoesNotCross) return cut.highestMm <= 0.0 ? whole_ : 0.0;
+    }
+    refuse();
+  }
+
+  const RegionComplex& complex_;
+  const Step& step_;
+  HeightSurface fissure_;
+  double capSpacingMm_;
+  const Progress& progress_;
+  double whole_;
+  std::vector<double> heights_;
+};
+
+/// Moves a fissure and splits the region along it, until the volume that the split leaves below is
+/// the wanted one: it heals and joins what a single cut does not, and runs through points that are
+/// near, so that volumes jump. Where the wanted one lies within such a jump, the fissure is turned
+/// by less than any hand could tell.
+void moveAndSplit(RegionComplex& complex, const Step& step, HeightSurface& fissure,
+                  double wantedMm3, double toleranceMm3, double capSpacingMm,
+                  const Progress& progress) {
+  double aim = wantedMm3;
+  for (int attempt = 0; attempt < MoveAttempts; ++attempt) {
+    HeightSurface turned = fissure;
+    turned.quadratic[1] += attempt * TurnPerAttempt * turned.scale;
+    const Mover mover(complex, step, turned, capSpacingMm, progress);
+    const auto [mm, belowMm3] = mover.moveFor(aim);
+    const HeightSurface there = moved(turned, mm);
+    RegionComplex work = complex;
+    splitRegion(work, there, {idOf(step.region), idOf(step.below), idOf(step.above), capSpacingMm},
+                std::string(longName(step.fissure)), progress);
+    const double below = volumeMm3(work, idOf(step.below));
+    if (std::abs(below - wantedMm3) <= toleranceMm3) {
+      fissure = there;
+      complex = std::move(work);
+      return;
+    }
+    aim = wantedMm3 - (below - belowMm3);
+    if (attempt + 1 == MoveAttempts) mover.refuse();
+  }
 }
 
 void requireShares(const LobeShares& shares, std::size_t lobes) {
@@ -126,17 +192,26 @@ std::vector<Lobe> lobesOf(Side side) {
 
 SplitLung splitLung(const TriangleMesh& lung, Side side, const FissureSurfaces& fissures,
                     double capSpacingMm, const Progress& progress) {
+  return splitLung(lung, side, fissures, {}, capSpacingMm, progress);
+}
+
+SplitLung splitLung(const TriangleMesh& lung, Side side, const FissureSurfaces& fissures,
+                    const FissureSheets& sheets, double capSpacingMm, const Progress& progress) {
   SplitLung split{side, complexOf(lung, idOf(lungOf(side))), {}};
   const std::vector<Step> steps = stepsOf(side);
   for (std::size_t n = 0; n < steps.size(); ++n) {
     const auto part = [&](std::size_t done) {
       return static_cast<double>(done) / static_cast<double>(steps.size());
     };
-    split.reports[steps[n].fissure] = splitRegion(
-        split.complex, fissureIn(fissures, steps[n].fissure),
-        {idOf(steps[n].region), idOf(steps[n].below), idOf(steps[n].above), capSpacingMm},
-        std::string(longName(steps[n].fissure)),
-        progress.part(part(n), part(n + 1), "cutting along fissures"));
+    const Progress now = progress.part(part(n), part(n + 1), "cutting along fissures");
+    const auto& [fissure, region, below, above] = steps[n];
+    const SplitRegion settings{idOf(region), idOf(below), idOf(above), capSpacingMm};
+    const std::string what(longName(fissure));
+    const auto sheet = sheets.find(fissure);
+    split.reports[fissure] =
+        sheet != sheets.end()
+            ? splitRegion(split.complex, *sheet->second, settings, what, now)
+            : splitRegion(split.complex, fissureIn(fissures, fissure), settings, what, now);
   }
   return split;
 }
@@ -156,15 +231,9 @@ FissureSurfaces withShares(const TriangleMesh& lung, Side side, FissureSurfaces 
   // Lower lobe first, then the middle one: the share below each fissure in turn.
   std::size_t lobe = shares.size();
   for (const Step& step : stepsOf(side)) {
-    HeightSurface& fissure = fissures.at(step.fissure);
-    const double wanted = whole * shares[--lobe] / sum;
-    fissure = moved(fissure, moveFor(complex, step, fissureIn(fissures, step.fissure), wanted,
-                                     capSpacingMm, progress));
-    if (lobe > 1) {
-      splitRegion(complex, fissure,
-                  {idOf(step.region), idOf(step.below), idOf(step.above), capSpacingMm},
-                  std::string(longName(step.fissure)), progress);
-    }
+    fissureIn(fissures, step.fissure);  // refuses if there is none
+    moveAndSplit(complex, step, fissures.at(step.fissure), whole * shares[--lobe] / sum,
+                 SplitTolerance * whole, capSpacingMm, progress);
   }
   return fissures;
 }

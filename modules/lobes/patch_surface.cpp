@@ -13,6 +13,7 @@
 #include "core/parallel.h"
 #include "lobes/contact_sampling.h"
 #include "lobes/fissure_fit.h"
+#include "lobes/sheet_rim.h"
 
 namespace pneuma {
 namespace {
@@ -23,7 +24,7 @@ constexpr double MostMm = 2.0;
 /// Exact rims of rough patches make cuts that meet themselves: on a person's left lung 1e-6
 /// failed for 200 and 800 knots, 0.01 for none.
 constexpr double Smoothness = 0.01;
-constexpr double RimStepMm = 2.0;
+constexpr double FoldSmoothness = 1.0;  ///< between layers that lie over each other
 
 /// An edge of a triangle, and the corner beside it.
 struct EdgeSide {
@@ -55,22 +56,6 @@ void forEachEdge(const std::vector<EdgeSide>& sides, F&& f) {
     f(std::span(sides).subspan(first, end - first));
     first = end;
   }
-}
-
-std::vector<std::array<std::uint32_t, 2>> rimOf(const TriangleMesh& mesh) {
-  std::vector<std::array<std::uint32_t, 2>> rim;
-  forEachEdge(sidesOf(mesh), [&](std::span<const EdgeSide> sides) {
-    if (sides.size() == 1) rim.push_back(sides[0].ends);
-  });
-  return rim;
-}
-
-std::string placeText(const Vec3& p) {
-  std::string text = "(";
-  for (const double coordinate : p) {
-    text += (text.size() > 1 ? ", " : "") + std::to_string(std::lround(coordinate));
-  }
-  return text + ") mm";
 }
 
 /// The middle of the edge over which two triangles lie upon each other most, seen along the normal.
@@ -111,9 +96,10 @@ FissureContact placesOf(const TriangleMesh& mesh) {
   return places;
 }
 
-PatchFit fitThrough(std::span<const Vec3> knots, const std::vector<Vec3>& points) {
+PatchFit fitThrough(std::span<const Vec3> knots, const std::vector<Vec3>& points,
+                    double smoothness = Smoothness) {
   PatchFit fit;
-  fit.surface = fitFissure(knots, {.smoothness = Smoothness});
+  fit.surface = fitFissure(knots, {.smoothness = smoothness});
   fit.knots = knots.size();
   std::vector<double> away(points.size());
   parallelFor(points.size(),
@@ -148,29 +134,14 @@ PatchFit fitPatch(const TriangleMesh& patch, const std::string& what) {
   }
   if (fit.largestMm <= MostMm) return fit;
   if (const auto fold = widestFold(patch, fit.surface)) {
-    throw InvalidInput("the " + what + " folds over its best plane at " + placeText(*fold) +
-                       "; a fissure is a height over a plane: give a part of it that does not "
-                       "bend back, or points");
+    fit = fitThrough(std::span(knots).first(std::min(KnotCounts.front(), knots.size())), checked,
+                     FoldSmoothness);
+    fit.fold = fold;
+    return fit;
   }
   throw InvalidInput("the " + what + " is too rough: its points lie up to " +
                      std::to_string(std::lround(fit.largestMm)) +
                      " mm from a smooth surface, 2 mm are allowed; smooth it, or give points");
-}
-
-RimPlace deepestRim(const TriangleMesh& patch, const Domain& region, const HeightSurface* floor) {
-  RimPlace deepest;
-  for (const auto& [a, b] : rimOf(patch)) {
-    const Vec3 along = patch.points[b] - patch.points[a];
-    const auto steps = static_cast<int>(std::ceil(along.norm() / RimStepMm)) + 1;
-    for (int step = 0; step <= steps; ++step) {
-      const Vec3 p = patch.points[a] + static_cast<double>(step) / steps * along;
-      if (!region.contains(p)) continue;
-      double depth = region.distanceToWall(p);
-      if (floor != nullptr) depth = std::min(depth, std::max(0.0, floor->distance(p)));
-      if (depth > deepest.depthMm) deepest = {p, depth};
-    }
-  }
-  return deepest;
 }
 
 }  // namespace pneuma

@@ -4,10 +4,11 @@
 #include <array>
 #include <cmath>
 
-#include "core/disjoint_sets.h"
 #include "core/error.h"
 #include "geometry/self_intersections.h"
+#include "lobes/detail/sentence_text.h"
 #include "lobes/fissure_cut.h"
+#include "lobes/region_pieces.h"
 #include "lobes/subdivision.h"
 
 namespace pneuma {
@@ -18,77 +19,11 @@ constexpr std::array<double, 7> Snaps = {0.1, 0.1, 0.03, 0.0, 0.0, 0.0, 0.0};
 constexpr int MostJoins = 4;
 constexpr double NearMm = 6.0;  ///< from the fissure, where new triangles may meet others
 
-std::string mm(double value) {
-  std::string text = std::to_string(std::lround(10.0 * value));
-  const bool minus = text.front() == '-';
-  if (minus) text.erase(0, 1);
-  if (text.size() < 2) text.insert(0, "0");
-  text.insert(text.size() - 1, ".");
-  return (minus ? "-" : "") + text + " mm";
-}
-
-/// The pieces of a region: points by the piece they are in.
-class Pieces {
- public:
-  Pieces(const RegionComplex& complex, RegionId region)
-      : complex_(complex), region_(region), sets_(complex.points.size()) {
-    for (const Facet& facet : complex.facets) {
-      if (!facet.borders(region)) continue;
-      sets_.join(facet.corners[0], facet.corners[1]);
-      sets_.join(facet.corners[0], facet.corners[2]);
-    }
-    facets_.assign(complex.points.size(), 0);
-    for (const Facet& facet : complex.facets) {
-      if (facet.borders(region)) ++facets_[sets_.find(facet.corners[0])];
-    }
-    for (std::uint32_t v = 0; v < facets_.size(); ++v) {
-      if (facets_[v] == 0) continue;
-      ++count_;
-      if (facets_[v] > facets_[largest_] || facets_[largest_] == 0) largest_ = v;
-    }
-  }
-
-  std::size_t count() const { return count_; }
-
-  /// Calls `f(point)` for the corners of every facet that is not in the largest piece.
-  template <class F>
-  void forEachStray(F&& f) {
-    for (const Facet& facet : complex_.facets) {
-      if (!facet.borders(region_) || sets_.find(facet.corners[0]) == largest_) continue;
-      for (const std::uint32_t v : facet.corners) f(v);
-    }
-  }
-
-  double strayMm3() {
-    double six = 0.0;
-    for (const Facet& facet : complex_.facets) {
-      if (!facet.borders(region_) || sets_.find(facet.corners[0]) == largest_) continue;
-      const Vec3& origin = complex_.points[sets_.find(facet.corners[0])];
-      const Vec3 a = complex_.points[facet.corners[0]] - origin;
-      const Vec3 b = complex_.points[facet.corners[1]] - origin;
-      const Vec3 c = complex_.points[facet.corners[2]] - origin;
-      six += (facet.behind == region_ ? 1.0 : -1.0) * a.dot(b.cross(c));
-    }
-    return six / 6.0;
-  }
-
- private:
-  const RegionComplex& complex_;
-  RegionId region_;
-  DisjointSets sets_;
-  std::vector<std::size_t> facets_;  ///< of the piece that a point stands for
-  std::size_t count_ = 0;
-  std::uint32_t largest_ = 0;
-};
-
 class Splitter {
  public:
   Splitter(const RegionComplex& complex, const HeightSurface& fissure, const SplitRegion& settings,
            const std::string& what)
-      : base_(complex),
-        fissure_(fissure),
-        what_(what),
-        pieces_(pieceCount(complex, settings.region)) {
+      : base_(complex), fissure_(fissure), what_(what) {
     cut_.region = settings.region;
     cut_.below = settings.below;
     cut_.above = settings.above;
@@ -128,24 +63,28 @@ class Splitter {
   }
 
  private:
-  /// Cuts until both parts are in as many pieces as the region was.
+  /// Cuts until nothing is left on the wrong side.
   Cut cutInPieces(RegionComplex& work, SplitReport& report, const Progress& progress) {
     for (int join = 0;; ++join) {
       work = base_;
       Cut cut = cutRegion(work, fissure_, cut_, progress);
       if (cut.outcome == CutOutcome::DoesNotCross) refuseMiss(cut);
       if (cut.outcome != CutOutcome::Done || join == MostJoins) return cut;
-      Pieces below(work, cut_.below);
-      Pieces above(work, cut_.above);
-      if (below.count() <= pieces_ && above.count() <= pieces_) return cut;
-      for (auto [part, side] :
-           {std::pair{&below, std::int8_t{1}}, std::pair{&above, std::int8_t{-1}}}) {
-        if (part->count() <= pieces_) continue;
-        report.piecesJoined += part->count() - 1;
-        report.joinedMm3 += part->strayMm3();
-        part->forEachStray([&, side = side](std::uint32_t v) {
-          if (v < base_.points.size()) cut_.sideOf[v] = side;
-        });
+      const StrayPieces below = strayPieces(work, cut_.below, cut_.above);
+      const StrayPieces above = strayPieces(work, cut_.above, cut_.below);
+      if (below.count + above.count == 0) return cut;
+      report.piecesJoined += below.count + above.count;
+      report.joinedMm3 += below.volumeMm3 + above.volumeMm3;
+      putOn(std::int8_t{1}, below, work);
+      putOn(std::int8_t{-1}, above, work);
+    }
+  }
+
+  /// Decides the side of what was on the wrong one.
+  void putOn(std::int8_t side, const StrayPieces& strays, const RegionComplex& work) {
+    for (const std::uint32_t f : strays.facets) {
+      for (const std::uint32_t v : work.facets[f].corners) {
+        if (v < base_.points.size()) cut_.sideOf[v] = side;
       }
     }
   }
@@ -156,7 +95,8 @@ class Splitter {
         "the " + what_ +
         (touches ? " touches the lung and does not cross it"
                  : std::string(" does not cross the lung: all of it lies between ") +
-                       mm(cut.lowestMm) + " and " + mm(cut.highestMm) + " above the fissure") +
+                       lengthText(cut.lowestMm) + " and " + lengthText(cut.highestMm) +
+                       " above the fissure") +
         "; check that its points belong to this lung and lie in the same frame (LPS, mm)");
   }
 
@@ -232,16 +172,11 @@ class Splitter {
   RegionComplex base_;
   const HeightSurface& fissure_;
   const std::string& what_;
-  std::size_t pieces_;
   CutSettings cut_;
   CutOutcome last_ = CutOutcome::Done;
 };
 
 }  // namespace
-
-std::size_t pieceCount(const RegionComplex& complex, RegionId region) {
-  return Pieces(complex, region).count();
-}
 
 SplitReport splitRegion(RegionComplex& complex, const HeightSurface& fissure,
                         const SplitRegion& settings, const std::string& what,

@@ -38,7 +38,4 @@ SplitReport splitRegion(RegionComplex& complex, const HeightSurface& fissure,
                         const SplitRegion& settings, const std::string& what,
                         const Progress& progress = {});
 
-/// Pieces of a region that share no point.
-std::size_t pieceCount(const RegionComplex& complex, RegionId region);
-
 }  // namespace pneuma

@@ -32,10 +32,12 @@ PartedLobe parted(const TriangleMesh& lobe, const AccessoryFissure& fissure,
   result.used = accessorySurface(fissure, lobe, options, warnings);
   RegionComplex complex = complexOf(lobe, Below);
   result.lobeMm3 = volumeMm3(complex, Below);
-  result.report = splitRegion(
-      complex, result.used.surface,
-      {.region = Below, .below = Below, .above = Above, .capSpacingMm = options.capSpacingMm},
-      "accessory fissure " + fissure.name, progress);
+  const SplitRegion settings{
+      .region = Below, .below = Below, .above = Above, .capSpacingMm = options.capSpacingMm};
+  const std::string what = "accessory fissure " + fissure.name;
+  result.report = result.used.sheet
+                      ? splitRegion(complex, *result.used.sheet, settings, what, progress)
+                      : splitRegion(complex, result.used.surface, settings, what, progress);
   result.below = surfaceOf(complex, Below).mesh;
   result.above = surfaceOf(complex, Above).mesh;
   result.patch = contactOf(complex, Below, Above);

@@ -1,6 +1,7 @@
 #include "pipeline/fissure_sampling.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "core/error.h"
 #include "pipeline/figure_table.h"
@@ -43,22 +44,15 @@ SampledFissures sampleFissures(const LungModel& model, const SampleFissuresOptio
   Random random(static_cast<std::uint64_t>(options.seed));
   for (const Fissure fissure : ThreeFissures) {
     progress.report(static_cast<double>(fissure) / ThreeFissures.size());
-    FissureContact contact;
+    std::vector<LobePair> pairs = pairsBeside(fissure, lobes);
+    if (pairs.empty()) continue;
+    FissureContact contact = joined(pairs);
     std::string between;
-    bool first = true;
-    for (const auto& [below, above] : lobesBeside(fissure)) {
-      if (!lobes.contains(below) || !lobes.contains(above)) {
-        between.clear();
-        break;
-      }
-      FissureContact part = contactBetween(lobes.at(below), lobes.at(above));
-      sampled.pairs.push_back({below, above, part});
-      contact = first ? std::move(part) : joined(std::move(contact), part);
-      between += (first ? "" : " or ") + std::string(shortName(below)) + " and " +
-                 std::string(shortName(above));
-      first = false;
+    for (const LobePair& pair : pairs) {
+      between += (between.empty() ? "" : " or ") + std::string(shortName(pair.below)) + " and " +
+                 std::string(shortName(pair.above));
     }
-    if (between.empty()) continue;
+    std::ranges::move(pairs, std::back_inserter(sampled.pairs));
     if (contact.points.empty()) {
       sampled.warnings.push_back(between + " do not touch: there is no " +
                                  std::string(longName(fissure)) + " between them");

@@ -33,13 +33,6 @@ struct SampleFissuresOptions {
   bool operator==(const SampleFissuresOptions&) const = default;
 };
 
-/// Two lobes that touch.
-struct LobePair {
-  Lobe below = Lobe::Whole;
-  Lobe above = Lobe::Whole;
-  FissureContact contact;
-};
-
 struct SampledFissures {
   GivenFissures given;  ///< points upon each fissure
   std::map<Fissure, FissureContact> contacts;

@@ -212,6 +212,11 @@ FissureSnappings snapFissures(UsedFissures& fissures, const SheetnessImage& shee
   FissureSnappings results;
   std::size_t done = 0;
   for (auto& [fissure, used] : fissures) {
+    if (used.sheet) {
+      warnings.push_back("the surface of the " + std::string(longName(fissure)) +
+                         " folds; it is not snapped");
+      continue;
+    }
     Surroundings around{SheetSampler(sheets), sheets.geometry.bounds(), {}};
     const auto oblique = fissures.find(Fissure::RightOblique);
     const bool inFront = fissure == Fissure::RightHorizontal && oblique != fissures.end();

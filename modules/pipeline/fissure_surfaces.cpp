@@ -7,9 +7,11 @@
 #include <span>
 
 #include "core/error.h"
+#include "geometry/nearest_triangle.h"
 #include "geometry/surface_domain.h"
 #include "lobes/fissure_fit.h"
 #include "lobes/patch_surface.h"
+#include "lobes/sheet_rim.h"
 #include "pipeline/figure_table.h"
 
 namespace pneuma {
@@ -17,7 +19,6 @@ namespace {
 
 constexpr std::size_t PointsOfTheirOwn = 6;  ///< from which the proposal does harm
 constexpr double FarMm = 30.0;               ///< beyond a lung's box points are another's
-constexpr double RimToleranceMm = 1.0;  ///< that a surface from a file may miss the lung's wall by
 constexpr double SuspectMm = 8.0;
 constexpr double LeastUpward = 0.05;  ///< of a plane's normal along what is above
 constexpr double SuspectTimes = 3.0;  ///< the mean of the others
@@ -34,7 +35,7 @@ struct FissurePlace {
   std::string regionName;  ///< "lung", "lobe"
   std::string what;        ///< the fissure's name in sentences
   std::optional<HeightSurface> proposal;
-  const HeightSurface* floor = nullptr;  ///< the fissure that ends this one below, or null
+  HeightAboveFloor floor;  ///< over the fissure that ends this one below; may be empty
 };
 
 void requireNear(std::span<const Vec3> points, const FissurePlace& place) {
@@ -90,24 +91,40 @@ HeightSurface surfaceOf(const FissureEquation& equation) {
   return surface;
 }
 
+/// How far points lie over a fissure, by the triangles of one that folds.
+HeightAboveFloor heightOver(const UsedFissure& used) {
+  if (!used.sheet) return [&used](const Vec3& p) { return used.surface.distance(p); };
+  const auto nearest = std::make_shared<const NearestTriangle>(used.sheet->mesh);
+  return [&used, nearest](const Vec3& p) {
+    const NearestTriangle::Hit hit = nearest->nearest(p);
+    const auto& [a, b, c] = used.sheet->mesh.triangles[hit.triangle];
+    const std::vector<Vec3>& points = used.sheet->mesh.points;
+    const Vec3 normal = (points[b] - points[a]).cross(points[c] - points[a]);
+    const Vec3 away = p - hit.point;
+    return away.dot(normal) < 0.0 ? -away.norm() : away.norm();
+  };
+}
+
 UsedFissure usedPatch(const FissurePatch& patch, const FissurePlace& place, double extendMm,
                       std::vector<std::string>& warnings) {
   warnings.insert(warnings.end(), patch.notes.begin(), patch.notes.end());
   requireNear(patch.mesh->points, place);
   const std::string what = "surface of the " + place.what;
   const PatchFit fit = fitPatch(*patch.mesh, what);
-  const RimPlace rim = deepestRim(*patch.mesh, SurfaceDomain(place.region), place.floor);
-  if (rim.depthMm > RimToleranceMm + extendMm) {
-    throw InvalidInput(
-        "the " + what + " ends inside the " + place.regionName + ": at (" +
-        fixed(rim.place.x(), 1) + ", " + fixed(rim.place.y(), 1) + ", " + fixed(rim.place.z(), 1) +
-        ") mm its edge lies " + fixed(rim.depthMm, 1) +
-        " mm from the wall; extend it, or allow that far by 'extend', 15 mm at most");
-  }
   UsedFissure used;
-  used.source = FissureSource::Surface;
+  used.source = fit.fold ? FissureSource::FoldingSurface : FissureSource::Surface;
   used.surface = fit.surface;
-  used.points = fit.knots;
+  if (fit.fold) {
+    // How far it reaches is asked where the region that it parts is known exactly: splitRegion().
+    const Vec3 above = place.proposal ? AboveFissures : Vec3::Zero();
+    used.sheet =
+        std::make_shared<const FissureSheet>(fissureSheet(*patch.mesh, above, extendMm, what));
+  } else {
+    requireReach(deepestRim(*patch.mesh, SurfaceDomain(place.region), place.floor), extendMm, what,
+                 place.regionName);
+  }
+  used.points = fit.fold ? patch.mesh->points.size() : fit.knots;
+  if (fit.fold) return used;  // it is cut along as it is
   used.meanMm = fit.meanMm;
   used.largestMm = fit.largestMm;
   return used;
@@ -158,6 +175,14 @@ std::vector<std::size_t> suspects(const UsedFissure& used) {
   return suspects;
 }
 
+FissureSheets sheetsIn(const UsedFissures& used) {
+  FissureSheets sheets;
+  for (const auto& [fissure, one] : used) {
+    if (one.sheet) sheets[fissure] = one.sheet;
+  }
+  return sheets;
+}
+
 LungExtent extentOf(const TriangleMesh& lung) { return {&lung, bounds(lung), lungBox(lung)}; }
 
 UsedFissures fissureSurfaces(const TriangleMesh& lung, Side side, const GivenFissures& given,
@@ -170,7 +195,8 @@ UsedFissures fissureSurfaces(const LungExtent& lung, Side side, const GivenFissu
   UsedFissures used;
   for (const Fissure fissure : fissuresOf(side)) {
     // The horizontal fissure ends at the oblique one, which comes first.
-    const HeightSurface* floor = used.empty() ? nullptr : &used.begin()->second.surface;
+    const HeightAboveFloor floor =
+        used.empty() ? HeightAboveFloor{} : heightOver(used.begin()->second);
     const FissurePlace place{*lung.mesh,
                              lung.bounds,
                              "lung",
@@ -189,8 +215,7 @@ UsedFissures fissureSurfaces(const LungExtent& lung, Side side, const GivenFissu
 
 UsedFissure accessorySurface(const AccessoryFissure& fissure, const TriangleMesh& lobe,
                              const LobeOptions& options, std::vector<std::string>& warnings) {
-  const FissurePlace place{lobe, bounds(lobe), "lobe", "accessory fissure " + fissure.name,
-                           {},   nullptr};
+  const FissurePlace place{lobe, bounds(lobe), "lobe", "accessory fissure " + fissure.name, {}, {}};
   return usedFissure(fissure.fissure, place, options, warnings);
 }
 

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -37,16 +38,26 @@ struct LobeOptions {
 };
 
 /// Where a fissure comes from.
-enum class FissureSource { Proposal, BentProposal, Points, Plane, Equation, Surface };
+enum class FissureSource {
+  Proposal,
+  BentProposal,
+  Points,
+  Plane,
+  Equation,
+  Surface,
+  FoldingSurface
+};
 
 constexpr auto choices(FissureSource) {
-  return std::array<std::string_view, 6>{
-      "proposal", "proposal bent through points", "points", "plane", "equation", "surface"};
+  return std::array<std::string_view, 7>{
+      "proposal",       "proposal bent through points", "points", "plane", "equation", "surface",
+      "folding surface"};
 }
 
 /// A fissure that is cut along.
 struct UsedFissure {
-  HeightSurface surface;
+  HeightSurface surface;  ///< of a folding surface one through its middle, to look at alone
+  std::shared_ptr<const FissureSheet> sheet;  ///< that is cut along, if the surface folds
   FissureSource source = FissureSource::Proposal;
   std::size_t points = 0;
   std::vector<double> leftOutMm;   ///< of each point, see leaveOneOut()
@@ -59,6 +70,9 @@ struct UsedFissure {
 std::vector<std::size_t> suspects(const UsedFissure& used);
 
 using UsedFissures = std::map<Fissure, UsedFissure>;
+
+/// Those that fold.
+FissureSheets sheetsIn(const UsedFissures& used);
 
 /// Where a lung is: what proposals follow, and what points must lie near to.
 struct LungExtent {
@@ -76,7 +90,8 @@ LungExtent extentOf(const TriangleMesh& lung);
 /// @param lung closed, oriented outwards, LPS, mm
 /// @param warnings gets whole sentences, for example on points that stand out
 /// @throws InvalidInput if points lie far from the lung, a plane stands upright so that neither
-/// side is above, a surface from a file ends inside the lung, and as fitFissure() and fitPatch()
+/// side is above, a surface from a file ends inside the lung, and as fitFissure(), fitPatch() and
+/// fissureSheet()
 UsedFissures fissureSurfaces(const TriangleMesh& lung, Side side, const GivenFissures& given,
                              const LobeOptions& options, std::vector<std::string>& warnings);
 

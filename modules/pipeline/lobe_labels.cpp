@@ -3,10 +3,10 @@
 #include <algorithm>
 
 #include "core/parallel.h"
+#include "geometry/nearest_triangle.h"
 #include "geometry/surface_voxels.h"
 #include "lobes/height_table.h"
 #include "segmentation/lung_labels.h"
-#include "segmentation/voxel_box.h"
 #include "segmentation/voxel_runs.h"
 
 namespace pneuma {
@@ -49,19 +49,51 @@ Box3 boxOfLabel(const LabelImage& image, std::uint8_t label) {
   return box;
 }
 
-/// Gives every part of a lobe but its largest to the other lobe.
-void joinStrays(LabelImage& image, std::uint8_t lobe, std::uint8_t other) {
-  const VoxelRuns runs =
-      runsWhere(image.geometry.size, [&](std::size_t v) { return image.voxels[v] == lobe; });
-  const VoxelComponents parts = components(runs, Connection::InVolume);
-  if (parts.all.size() < 2) return;
-  const std::size_t largest = parts.bySize().front();
-  fillRuns(
-      runs, [&](std::uint32_t r) { return parts.ofRun[r] != largest; }, other, image.voxels);
+/// By the meshes: where a fissure folds, or pieces went to the lobe around them, heights do not
+/// tell. What the image has beyond the lung's surface goes to the lobe whose surface is nearest.
+void divideByMeshes(LabelImage& image, const SplitLung& lung, const Progress& progress) {
+  const std::uint8_t whole = lung.side == Side::Right ? RightLabel : LeftLabel;
+  for (const Lobe lobe : lobesOf(lung.side)) {
+    const TriangleMesh mesh = surfaceOf(lung.complex, static_cast<RegionId>(lobe)).mesh;
+    const std::vector<std::uint8_t> inside = voxelsInside(mesh, image.geometry, progress);
+    for (std::size_t v = 0; v < inside.size(); ++v) {
+      if (inside[v] != 0 && image.voxels[v] == whole) {
+        image.voxels[v] = static_cast<std::uint8_t>(lobe);
+      }
+    }
+  }
+  TriangleMesh wall{lung.complex.points, {}};
+  std::vector<RegionId> lobeOf;
+  for (const Facet& facet : lung.complex.facets) {
+    if (facet.behind != OutsideRegion && facet.front != OutsideRegion) continue;
+    wall.triangles.push_back(facet.corners);
+    lobeOf.push_back(std::max(facet.behind, facet.front));
+  }
+  const NearestTriangle nearest(wall);
+  const ImageGeometry& geometry = image.geometry;
+  parallelFor(static_cast<std::size_t>(geometry.size[2]), [&](std::size_t k) {
+    progress.throwIfStopped();
+    for (int j = 0; j < geometry.size[1]; ++j) {
+      std::uint8_t* row = &image.voxels[geometry.index(0, j, static_cast<int>(k))];
+      for (int i = 0; i < geometry.size[0]; ++i) {
+        if (row[i] != whole) continue;
+        const Eigen::Vector3i voxel(i, j, static_cast<int>(k));
+        const Vec3 p = geometry.worldFromVoxel(voxel.cast<double>());
+        row[i] = lobeOf[nearest.nearest(p).triangle];
+      }
+    }
+  });
 }
 
 void divide(LabelImage& image, const SplitLung& lung, const UsedFissures& fissures,
             const Progress& progress) {
+  const bool byHeights = std::ranges::all_of(lung.reports, [&](const auto& report) {
+    return report.second.piecesJoined == 0 && !fissures.at(report.first).sheet;
+  });
+  if (!byHeights) {
+    divideByMeshes(image, lung, progress);
+    return;
+  }
   const bool right = lung.side == Side::Right;
   const std::uint8_t whole = right ? RightLabel : LeftLabel;
   const Box3 box = boxOfLabel(image, whole);
@@ -71,9 +103,6 @@ void divide(LabelImage& image, const SplitLung& lung, const UsedFissures& fissur
   const HeightTable horizontal(
       right ? surface(Fissure::RightHorizontal) : surface(Fissure::LeftOblique), box);
   const auto label = [](Lobe lobe) { return static_cast<std::uint8_t>(lobe); };
-  const std::uint8_t lower = label(right ? Lobe::RightLower : Lobe::LeftLower);
-  const std::uint8_t upper = label(right ? Lobe::RightUpper : Lobe::LeftUpper);
-  const std::uint8_t middle = label(Lobe::RightMiddle);
   const ImageGeometry& geometry = image.geometry;
   const Mat3 steps = geometry.steps();
   parallelFor(static_cast<std::size_t>(geometry.size[2]), [&](std::size_t k) {
@@ -85,22 +114,11 @@ void divide(LabelImage& image, const SplitLung& lung, const UsedFissures& fissur
       for (int i = 0; i < geometry.size[0]; ++i) {
         if (row[i] != whole) continue;
         const Vec3 p = start + static_cast<double>(i) * steps.col(0);
-        row[i] = oblique.below(p) ? lower : right && horizontal.below(p) ? middle : upper;
+        const bool below = oblique.below(p);
+        row[i] = label(lobeBy(lung.side, below, !below && right && horizontal.below(p)));
       }
     }
   });
-  const auto joined = [&](Fissure fissure) {
-    const auto found = lung.reports.find(fissure);
-    return found != lung.reports.end() && found->second.piecesJoined > 0;
-  };
-  if (right && joined(Fissure::RightHorizontal)) {
-    joinStrays(image, middle, upper);
-    joinStrays(image, upper, middle);
-  }
-  if (joined(right ? Fissure::RightOblique : Fissure::LeftOblique)) {
-    joinStrays(image, lower, upper);
-    if (!right) joinStrays(image, upper, lower);
-  }
 }
 
 }  // namespace

@@ -73,9 +73,7 @@ void LobePreview::moveTo(const LobeShares& shares) {
 }
 
 Lobe LobePreview::lobeOf(float oblique, float horizontal) const {
-  if (!hasHorizontal_) return oblique < 0.0F ? Lobe::LeftLower : Lobe::LeftUpper;
-  if (oblique < 0.0F) return Lobe::RightLower;
-  return horizontal < 0.0F ? Lobe::RightMiddle : Lobe::RightUpper;
+  return lobeBy(side(), oblique < 0.0F, horizontal < 0.0F);
 }
 
 Lobe LobePreview::lobeAt(const Vec3& p) const {

@@ -75,6 +75,16 @@ std::optional<SheetnessImage> sheetsFor(const LungModel& model, Side of, const L
   return fissureSheets(model, of, progress);
 }
 
+/// Wanted volumes move a fissure along its normal; a sheet moved so would end inside the lung.
+void requireMovable(const FissureSheets& folding, Side of) {
+  for (const auto& [fissure, sheet] : folding) {
+    if (side(fissure) != of) continue;
+    throw InvalidInput("the surface of the " + std::string(longName(fissure)) +
+                       " folds, so that it cannot be moved to wanted fractions; leave them out, or "
+                       "give points");
+  }
+}
+
 void splitOne(const LungModel& model, const LobeSurface& lung, const LobeInputs& inputs,
               const LobeOptions& options, LobesOfLungs& result, const Progress& progress) {
   requireFit(lung);
@@ -91,13 +101,15 @@ void splitOne(const LungModel& model, const LobeSurface& lung, const LobeInputs&
     surfaces[fissure] = used.surface;
     result.fissures[fissure] = std::move(used);
   }
+  const FissureSheets folding = sheetsIn(result.fissures);
   const auto shares = inputs.shares.find(of);
   if (shares != inputs.shares.end()) {
+    requireMovable(folding, of);
     surfaces = withShares(*lung.mesh, of, std::move(surfaces), shares->second, options.capSpacingMm,
                           progress.part(0.4, 0.7, "moving fissures"));
     for (const auto& [fissure, surface] : surfaces) result.fissures[fissure].surface = surface;
   }
-  SplitLung split = splitLung(*lung.mesh, of, surfaces, options.capSpacingMm,
+  SplitLung split = splitLung(*lung.mesh, of, surfaces, folding, options.capSpacingMm,
                               progress.part(0.7, 0.9, "cutting along fissures"));
   for (const auto& [fissure, report] : split.reports) {
     if (report.piecesJoined == 0) continue;

@@ -133,7 +133,17 @@ refuses "a surface that ends inside" 4 'left oblique fissure ends inside the lun
 refuses "more extension than there is" 2 'extend' lobes lungs --fissures disk.json --extend 20 -o nowhere
 awk 'BEGIN { for (i = 0; i < 30; i++) { a = i / 6 - 2.5; for (s = -1; s < 2; s += 2) print "v", 80 + 60 * sin(a), 80 * s, -50 + 60 * cos(a) }
   for (i = 1; i < 30; i++) print "f", 2 * i - 1, 2 * i, 2 * i + 2 "\nf", 2 * i - 1, 2 * i + 2, 2 * i + 1 }' >disk.obj
-refuses "a surface that folds" 4 'left oblique fissure folds over its best plane at \(' lobes lungs --fissures disk.json -o nowhere
+refuses "a surface that folds and ends inside" 4 'left oblique fissure ends inside the lung: at \(' lobes lungs --fissures disk.json -o nowhere
+awk 'BEGIN { for (j = -10; j <= 10; j++) for (i = -20; i <= 20; i++) print "v", 82 + 7.8 * j, 10 + 6.4 * i - 60 * sin(i * 0.157080), 3 * i - 60
+  for (j = 0; j < 20; j++) for (i = 1; i <= 40; i++) { a = 41 * j + i; print "f", a, a + 41, a + 42 "\nf", a, a + 42, a + 1 } }' >disk.obj
+succeeds "a surface that folds" lobes lungs --fissures disk.json -o folding --json
+keeps lobes
+expect "the surface does not fold" grep -q '"source": "folding surface"' "$logs/out"
+succeeds "all checks of it" check folding
+prints '^LABELS .* right'
+prints '^SHARED-left-oblique +0 +0 +right'
+refuses "a surface that folds moved to wanted volumes" 4 'folds, so that it cannot be moved' lobes lungs --fissures disk.json --fractions usual -o nowhere
+refuses "a surface that folds as a plane" 4 'no plane for the left oblique fissure but a surface' lobes lungs --planes disk.json -o nowhere
 ball 40 90 0 -50 >disk.obj
 refuses "a closed surface" 4 'is closed; a fissure' lobes lungs --fissures disk.json -o nowhere
 rm disk.obj

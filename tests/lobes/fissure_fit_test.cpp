@@ -112,6 +112,21 @@ TEST(FissureFit, BendsAPriorThroughFewPoints) {
               1e-9);
 }
 
+TEST(FissureFit, DoesNotTiltAPriorAcrossPointsThatLieNearlyOnALine) {
+  HeightSurface prior;
+  prior.scale = 60.0;
+  // One millimetre beside the line of the others, four above: a slope of four.
+  const std::vector<Vec3> nearly = {{-60.0, 0.0, 6.0}, {0.0, 1.0, 10.0}, {60.0, 0.0, 6.0}};
+  const HeightSurface bent = bentThrough(prior, nearly);
+  EXPECT_NEAR(bent.lift({0.0, 60.0}), 22.0 / 3.0, 1.0);
+  EXPECT_NEAR(bent.lift({60.0, 0.0}), 6.0, 2.0);
+  // Along the line they tell the slope, and well apart all of it.
+  const std::vector<Vec3> steep = {{-60.0, 0.0, -30.0}, {0.0, 4.0, 0.0}, {60.0, 0.0, 30.0}};
+  EXPECT_NEAR(bentThrough(prior, steep).lift({60.0, 0.0}), 30.0, 0.1);
+  const std::vector<Vec3> apart = {{-60.0, 0.0, 6.0}, {0.0, 60.0, 10.0}, {60.0, 0.0, 6.0}};
+  for (const Vec3& p : apart) EXPECT_NEAR(bentThrough(prior, apart).height(p), 0.0, 1e-9);
+}
+
 TEST(FissureFit, ShowsThePointThatWasSetInAWrongPlace) {
   std::vector<Vec3> points = bentPoints(30);
   points[11].z() += 20.0;

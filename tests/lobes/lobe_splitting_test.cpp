@@ -77,6 +77,22 @@ TEST(LobeSplitting, ReachesWantedShares) {
   }
 }
 
+TEST(LobeSplitting, ReachesWantedSharesOfACoarseLung) {
+  // Of large triangles the cut's volume jumps by more than a share may be off.
+  TriangleMesh lung = testing::sphere(1.0, Vec3::Zero(), 3);
+  for (Vec3& p : lung.points) p = p.cwiseProduct(Vec3(55.0, 80.0, 115.0));
+  for (int trial = 0; trial < 5; ++trial) {
+    const double lower = 0.40 + 0.02 * trial;
+    const LobeShares wanted = {0.87 - lower, 0.13, lower};
+    const FissureSurfaces fissures =
+        withShares(lung, Side::Right, proposals(lung, Side::Right), wanted, SpacingMm);
+    const SplitLung split = splitLung(lung, Side::Right, fissures, SpacingMm);
+    for (std::size_t n = 0; n < wanted.size(); ++n) {
+      EXPECT_NEAR(share(split, lobesOf(Side::Right)[n]), wanted[n], 1e-6) << trial;
+    }
+  }
+}
+
 TEST(LobeSplitting, RefusesSharesThatCannotBe) {
   const TriangleMesh lung = egg();
   const FissureSurfaces fissures = proposals(lung, Side::Left);

@@ -2,21 +2,21 @@
 
 #include <cmath>
 #include <cstdlib>
-#include <map>
 #include <numbers>
-#include <set>
 
 #include <gtest/gtest.h>
 
 #include "core/error.h"
 #include "core/random.h"
-#include "geometry/mesh_topology.h"
-#include "geometry/self_intersections.h"
 #include "geometry/test_surfaces.h"
 #include "lobes/fissure_fit.h"
+#include "sound_regions.h"
 
 namespace pneuma {
 namespace {
+
+using testing::contactsIn;
+using testing::expectSound;
 
 /// A lung's size, with bumps and a hollow where the heart lies.
 TriangleMesh lung(int levels, Random& random) {
@@ -58,21 +58,6 @@ HeightSurface roughFissure(const HeightSurface& flat, double rough, int n, doubl
 constexpr RegionId Lower = 3;
 constexpr RegionId Middle = 2;
 constexpr RegionId Upper = 1;
-
-void expectSound(const RegionComplex& complex, RegionId region, bool full = true) {
-  const RegionSurface surface = surfaceOf(complex, region);
-  const MeshTopology health = topology(surface.mesh);
-  EXPECT_EQ(health.openEdges, 0U);
-  EXPECT_EQ(health.nonManifoldEdges, 0U);
-  EXPECT_EQ(health.misorientedEdges, 0U);
-  EXPECT_EQ(health.nonManifoldVertices, 0U);
-  EXPECT_EQ(health.duplicateTriangles, 0U);
-  EXPECT_EQ(pieceCount(complex, region), 1U);
-  EXPECT_GT(signedVolumeMm3(surface.mesh), 0.0);
-  if (full) {
-    EXPECT_EQ(selfIntersecting(surface.mesh).pairs, 0U);
-  }
-}
 
 std::string refusal(RegionComplex& complex, const HeightSurface& surface) {
   try {
@@ -129,15 +114,7 @@ TEST(RegionSplitting, SharesTrianglesAtTheTripleLine) {
     sum += volumeMm3(complex, region);
   }
   EXPECT_NEAR(sum / whole, 1.0, 1e-13);
-  // Every triangle is between two regions once, by the numbers of its points.
-  std::set<std::array<std::uint32_t, 3>> seen;
-  std::map<std::pair<RegionId, RegionId>, int> contacts;
-  for (const Facet& facet : complex.facets) {
-    std::array<std::uint32_t, 3> corners = facet.corners;
-    std::ranges::sort(corners);
-    EXPECT_TRUE(seen.insert(corners).second);
-    ++contacts[{facet.behind, facet.front}];
-  }
+  std::map<std::pair<RegionId, RegionId>, int> contacts = contactsIn(complex);
   EXPECT_GT((contacts[{Lower, Middle}]), 100);
   EXPECT_GT((contacts[{Lower, Upper}]), 100);
   EXPECT_GT((contacts[{Middle, Upper}]), 100);
@@ -160,6 +137,100 @@ TEST(RegionSplitting, JoinsPiecesOnTheWrongSide) {
     joined += report.piecesJoined;
   }
   EXPECT_GT(joined, 0U);
+}
+
+/// Two lungs' worth of one region, 200 mm apart.
+TriangleMesh twoLungs(Random& random) {
+  TriangleMesh one = lung(5, random);
+  TriangleMesh other = lung(5, random);
+  for (Vec3& p : other.points) p.x() += 200.0;
+  return testing::together(one, other);
+}
+
+TEST(RegionSplitting, CutsEveryPieceOfALungOfSeveral) {
+  Random random(5);
+  RegionComplex complex = complexOf(twoLungs(random), 1);
+  const double whole = volumeMm3(complex, 1);
+  const SplitReport oblique =
+      splitRegion(complex, plane({0.0, 10.0, 0.0}, {0.1, -0.8, 1.0}),
+                  {.region = 1, .below = Lower, .above = 1}, "oblique fissure");
+  const SplitReport horizontal =
+      splitRegion(complex, plane({0.0, -30.0, 10.0}, {0.0, 0.2, 1.0}),
+                  {.region = 1, .below = Middle, .above = Upper}, "horizontal fissure");
+  EXPECT_EQ(oblique.piecesJoined + horizontal.piecesJoined, 0U);
+  double sum = 0.0;
+  for (const RegionId region : {Upper, Middle, Lower}) {
+    expectSound(complex, region, 2);
+    sum += volumeMm3(complex, region);
+  }
+  EXPECT_NEAR(sum / whole, 1.0, 1e-13);
+}
+
+TEST(RegionSplitting, LeavesAPieceThatTheFissurePassesByWhole) {
+  Random random(6);
+  RegionComplex complex = complexOf(twoLungs(random), 1);
+  const double whole = volumeMm3(complex, 1);
+  // Through the first from its foot to its apex, and over the second.
+  splitRegion(complex, plane({0.0, 0.0, 0.0}, {-1.0, 0.0, 0.5}),
+              {.region = 1, .below = Lower, .above = Upper}, "fissure");
+  expectSound(complex, Lower, 2);
+  expectSound(complex, Upper, 1);
+  EXPECT_NEAR((volumeMm3(complex, Upper) + volumeMm3(complex, Lower)) / whole, 1.0, 1e-13);
+}
+
+TEST(RegionSplitting, JoinsPiecesOnTheWrongSideToTheirOwnPieceOfTheLung) {
+  std::size_t joined = 0;
+  for (std::uint64_t seed = 0; seed < 12; ++seed) {
+    Random random(seed);
+    const TriangleMesh one = lung(5, random);
+    const HeightSurface rough =
+        roughFissure(plane({0.0, 60.0, 0.0}, {0.0, -1.0, 0.3}), 25.0, 25, 1e-3, random);
+    const auto split = [&](RegionComplex& complex) {
+      return splitRegion(complex, rough, {.region = 1, .below = Lower, .above = Upper}, "fissure");
+    };
+    RegionComplex alone = complexOf(one, 1);
+    const SplitReport ofOne = split(alone);
+    // A ball beside it that the fissure cuts in two, or passes by.
+    const TriangleMesh ball = testing::sphere(15.0, {0.0, 60.0, 140.0}, 3);
+    RegionComplex complex = complexOf(testing::together(one, ball), 1);
+    const SplitReport ofBoth = split(complex);
+    EXPECT_EQ(ofBoth.piecesJoined, ofOne.piecesJoined);
+    EXPECT_NEAR(ofBoth.joinedMm3, ofOne.joinedMm3, 1e-6);
+    const std::size_t lower = pieceCount(complex, Lower);
+    const std::size_t upper = pieceCount(complex, Upper);
+    EXPECT_GE(lower + upper, 3U);
+    EXPECT_LE(std::max(lower, upper), 2U);
+    expectSound(complex, Lower, lower);
+    expectSound(complex, Upper, upper);
+    joined += ofBoth.piecesJoined;
+  }
+  EXPECT_GT(joined, 0U);
+}
+
+int eulerNumber(const RegionComplex& complex, RegionId region) {
+  const TriangleMesh mesh = surfaceOf(complex, region).mesh;
+  return static_cast<int>(mesh.points.size()) - static_cast<int>(mesh.triangles.size() / 2);
+}
+
+TEST(RegionSplitting, CutsALungWithAHandle) {
+  const TriangleMesh ring = testing::torus(60.0, 25.0);
+  const auto halved = [&](const HeightSurface& fissure) {
+    RegionComplex complex = complexOf(ring, 1);
+    const double whole = volumeMm3(complex, 1);
+    splitRegion(complex, fissure, {.region = 1, .below = Lower, .above = Upper}, "fissure");
+    expectSound(complex, Lower);
+    expectSound(complex, Upper);
+    EXPECT_NEAR((volumeMm3(complex, Upper) + volumeMm3(complex, Lower)) / whole, 1.0, 1e-13);
+    return complex;
+  };
+  // Along the ring: both halves are rings. Across it: both are without a handle, and the fissure
+  // is two disks.
+  const RegionComplex along = halved(plane({0.0, 0.0, 3.0}, {0.05, 0.1, 1.0}));
+  EXPECT_EQ(eulerNumber(along, Lower), 0);
+  EXPECT_EQ(eulerNumber(along, Upper), 0);
+  const RegionComplex across = halved(plane({3.0, 0.0, 0.0}, {1.0, 0.2, 0.1}));
+  EXPECT_EQ(eulerNumber(across, Lower), 2);
+  EXPECT_EQ(eulerNumber(across, Upper), 2);
 }
 
 TEST(RegionSplitting, SaysWhereTheFissureDoesNotCross) {

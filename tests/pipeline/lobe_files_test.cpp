@@ -1,7 +1,9 @@
 // Lobes from whatever there is, and the checks of what is written.
 #include "pipeline/lobe_files.h"
 
+#include <cmath>
 #include <filesystem>
+#include <numbers>
 
 #include <gtest/gtest.h>
 
@@ -16,6 +18,24 @@
 
 namespace pneuma {
 namespace {
+
+/// An S that leans over itself, drawn out along x, in the middle of `centre`.
+FissurePatch overhanging(const Vec3& centre) {
+  auto mesh = std::make_shared<TriangleMesh>();
+  constexpr int Half = 20;
+  for (int j = -Half; j <= Half; ++j) {
+    for (int i = -Half; i <= Half; ++i) {
+      const double y = 5.2 * i - 55.0 * std::sin(std::numbers::pi * i / Half);
+      mesh->points.push_back(centre + Vec3(4.0 * j, y, 3.0 * i));
+      if (i == Half || j == Half) continue;
+      const auto v = static_cast<std::uint32_t>(mesh->points.size() - 1);
+      const std::uint32_t beside = v + 2 * Half + 1;
+      mesh->triangles.push_back({v, beside, beside + 1});
+      mesh->triangles.push_back({v, beside + 1, v + 1});
+    }
+  }
+  return {"patch.vtp", std::move(mesh), {}};
+}
 
 /// A ball in triangles of an octahedron, pressed into a lung's shape.
 TriangleMesh egg(const Vec3& centre) {
@@ -100,6 +120,36 @@ class LobeFilesTest : public ::testing::Test {
   std::filesystem::path folder_ = std::filesystem::path(::testing::TempDir()) /
                                   ::testing::UnitTest::GetInstance()->current_test_info()->name();
 };
+
+TEST_F(LobeFilesTest, PassEveryCheckWhereFissuresFold) {
+  const LungModel model = lungs();
+  LobeInputs inputs;
+  inputs.given[Fissure::RightOblique].patch = overhanging(Vec3(-80.0, 0.0, -20.0));
+  inputs.given[Fissure::LeftOblique].patch = overhanging(Vec3(80.0, 0.0, 0.0));
+  const LobesOfLungs lobes = splitLobes(model, inputs);
+  EXPECT_EQ(lobes.fissures.at(Fissure::LeftOblique).source, FissureSource::FoldingSurface);
+  // An image with voxels beyond the lung, too: all of them go to a lobe.
+  LabelImage whole = lungLabels(model, 2.0);
+  for (int step = 0; step < 2; ++step) {
+    for (std::size_t v = whole.voxels.size() - 1; v > 0; --v) {
+      if (whole.voxels[v] == 0) whole.voxels[v] = whole.voxels[v - 1];
+    }
+  }
+  const LabelImage labels = lobeLabels(whole, lobes);
+  for (std::size_t v = 0; v < labels.voxels.size(); ++v) {
+    ASSERT_EQ(whole.voxels[v] == 0, labels.voxels[v] == 0);
+    ASSERT_LE(labels.voxels[v], 5);
+  }
+  pneuma::writeLobes(folder_, lobes, labels, {}, lobesReport(model, lobes, {}));
+  EXPECT_EQ(failing(), "");
+}
+
+TEST_F(LobeFilesTest, DoNotMoveFissuresThatFold) {
+  LobeInputs inputs;
+  inputs.given[Fissure::LeftOblique].patch = overhanging(Vec3(80.0, 0.0, 0.0));
+  inputs.shares[Side::Left] = {0.5, 0.5};
+  EXPECT_THROW(splitLobes(lungs(), inputs), InvalidInput);
+}
 
 TEST_F(LobeFilesTest, PassEveryCheck) {
   makeLobes();

@@ -40,13 +40,8 @@ std::vector<Lobe> lobesBy(const FissureSurfaces& fissures, const LungVoxels& lun
   std::vector<Lobe> lobes;
   lobes.reserve(lung.centres.size());
   for (const Vec3& p : lung.centres) {
-    if (oblique.height(p) < 0.0) {
-      lobes.push_back(right ? Lobe::RightLower : Lobe::LeftLower);
-    } else if (horizontal != nullptr && horizontal->height(p) < 0.0) {
-      lobes.push_back(Lobe::RightMiddle);
-    } else {
-      lobes.push_back(right ? Lobe::RightUpper : Lobe::LeftUpper);
-    }
+    const bool belowHorizontal = horizontal != nullptr && horizontal->height(p) < 0.0;
+    lobes.push_back(lobeBy(lung.side, oblique.height(p) < 0.0, belowHorizontal));
   }
   return lobes;
 }

@@ -118,6 +118,8 @@ QString fissureLine(const FissureEditor& editor, Fissure fissure) {
       return QStringLiteral("Given by an equation");
     case FissureSource::Surface:
       return QStringLiteral("Surface from a file");
+    case FissureSource::FoldingSurface:
+      return QStringLiteral("Surface that folds: shown roughly until it is split");
     default: {
       const QString text =
           QStringLiteral("%1, mean %2")
