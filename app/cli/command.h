@@ -41,6 +41,7 @@ Run declareCompletion(CLI::App& app, CommonOptions& common);
 Run declareDoctor(CLI::App& app, CommonOptions& common);
 Run declareExport(CLI::App& app, CommonOptions& common);
 Run declareFissures(CLI::App& app, CommonOptions& common);
+Run declareBreathe(CLI::App& app, CommonOptions& common);
 Run declareGrow(CLI::App& app, CommonOptions& common);
 Run declareHelp(CLI::App& app, CommonOptions& common);
 Run declareImport(CLI::App& app, CommonOptions& common);

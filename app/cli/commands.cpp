@@ -7,8 +7,8 @@
 namespace pneuma::cli {
 namespace {
 
-constexpr std::array<Command, 22> Table = {{
-    {"run", "From a CT to lungs, airways and a grown tree, by a recipe.", declareRun},
+constexpr std::array<Command, 23> Table = {{
+    {"run", "From a CT to lungs, lobes and a grown tree, by a recipe.", declareRun},
     {"segment", "Find lungs and central airways in a CT.", declareSegment},
     {"lobes", "Split lungs into lobes along their fissures.", declareLobes},
     {"check", "Check a folder of lobes all over again.", declareCheck},
@@ -17,6 +17,7 @@ constexpr std::array<Command, 22> Table = {{
     {"study", "Grow with many seeds: mean and spread of the figures.", declareStudy},
     {"outline", "Aggregate in the outline of a right lung, in a plane (Zhang 2003).",
      declareOutline},
+    {"breathe", "Make lungs and their airways breathe, frame by frame.", declareBreathe},
     {"measure", "Measure a tree: orders, ratios, angles, lengths, homogeneity.", declareMeasure},
     {"compare", "Put trees, labels or surfaces side by side: one table, one picture.",
      declareCompare},

@@ -1,6 +1,8 @@
 #include "io/multiblock_file.h"
 
 #include "io/atomic_file.h"
+#include "io/detail/text_fields.h"
+#include "io/json.h"
 
 namespace pneuma {
 namespace {
@@ -38,6 +40,31 @@ void writeMultiblock(const std::filesystem::path& path, const std::vector<Block>
   }
   text += "  </vtkMultiBlockDataSet>\n</VTKFile>\n";
   writeFile(path, text);
+}
+
+void writeTimeCollection(const std::filesystem::path& path, const std::vector<TimedFile>& files) {
+  std::string text =
+      "<?xml version=\"1.0\"?>\n"
+      "<VTKFile type=\"Collection\" version=\"1.0\" byte_order=\"LittleEndian\">\n"
+      "  <Collection>\n";
+  for (const TimedFile& file : files) {
+    text += "    <DataSet timestep=\"";
+    appendNumber(text, file.seconds);
+    text += "\" group=\"\" part=\"" + std::to_string(file.part) + "\" file=\"" +
+            escaped(file.file.generic_string()) + "\"/>\n";
+  }
+  text += "  </Collection>\n</VTKFile>\n";
+  writeFile(path, text);
+}
+
+void writeFileSeries(const std::filesystem::path& path, const std::vector<TimedFile>& files,
+                     int part) {
+  Json series = {{"file-series-version", "1.0"}, {"files", Json::array()}};
+  for (const TimedFile& file : files) {
+    if (file.part != part) continue;
+    series["files"].push_back({{"name", file.file.generic_string()}, {"time", file.seconds}});
+  }
+  writeFile(path, series.dump(2) + "\n");
 }
 
 }  // namespace pneuma

@@ -16,4 +16,20 @@ struct Block {
 /// @throws OutputFailed
 void writeMultiblock(const std::filesystem::path& path, const std::vector<Block>& blocks);
 
+/// One file of a series, at a moment.
+struct TimedFile {
+  double seconds = 0.0;
+  int part = 0;                ///< files of one moment have different parts
+  std::filesystem::path file;  ///< relative to the folder of the .pvd
+};
+
+/// Writes a ParaView collection (.pvd) of files at moments in seconds.
+/// @throws OutputFailed
+void writeTimeCollection(const std::filesystem::path& path, const std::vector<TimedFile>& files);
+
+/// Writes a VTK file series (.vtp.series) of the files of one part.
+/// @throws OutputFailed
+void writeFileSeries(const std::filesystem::path& path, const std::vector<TimedFile>& files,
+                     int part);
+
 }  // namespace pneuma

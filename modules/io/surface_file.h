@@ -42,4 +42,17 @@ using TriangleMarks = std::map<std::string, std::vector<std::uint8_t>>;
 void writeSurface(const std::filesystem::path& path, const TriangleMesh& mesh,
                   const SurfaceTags& tags = {}, const TriangleMarks& marks = {});
 
+/// Values of the points and triangles of a surface for VTP, by the names of their arrays.
+struct SurfaceArrays {
+  std::map<std::string, std::vector<Vec3>> pointVectors;
+  std::map<std::string, std::vector<double>> pointValues;
+  TriangleMarks triangleMarks;
+  std::map<std::string, double> fieldValues;  ///< one each for the whole surface
+};
+
+/// Writes a VTP with arrays: as many values as points, or as triangles.
+/// @throws OutputFailed
+void writeVtpSurface(const std::filesystem::path& path, const TriangleMesh& mesh,
+                     const SurfaceArrays& arrays);
+
 }  // namespace pneuma

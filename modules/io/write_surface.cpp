@@ -4,7 +4,10 @@
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
 #include <vtkNew.h>
+#include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkUnsignedCharArray.h>
@@ -117,16 +120,30 @@ std::string plyText(const TriangleMesh& mesh, const SurfaceTags& tags) {
   return text;
 }
 
-std::string vtpSurfaceText(const TriangleMesh& mesh, const SurfaceTags& tags,
-                           const TriangleMarks& marks) {
-  const vtkNew<vtkPolyData> data = polyDataOf(mesh);
+void addMarks(vtkPolyData& data, const TriangleMarks& marks) {
   for (const auto& [name, values] : marks) {
     const vtkNew<vtkUnsignedCharArray> array;
     array->SetName(name.c_str());
     array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()));
     std::copy(values.begin(), values.end(), array->GetPointer(0));
-    data->GetCellData()->AddArray(array);
+    data.GetCellData()->AddArray(array);
   }
+}
+
+vtkNew<vtkDoubleArray> doubles(const std::string& name, int components, const double* values,
+                               std::size_t count) {
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name.c_str());
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(static_cast<vtkIdType>(count));
+  std::copy(values, values + count * static_cast<std::size_t>(components), array->GetPointer(0));
+  return array;
+}
+
+std::string vtpSurfaceText(const TriangleMesh& mesh, const SurfaceTags& tags,
+                           const TriangleMarks& marks) {
+  const vtkNew<vtkPolyData> data = polyDataOf(mesh);
+  addMarks(*data, marks);
   setFieldText(*data, "SPACE", tags.space);
   setFieldText(*data, "units", tags.units);
   return vtpText(*data);
@@ -148,6 +165,25 @@ void writeSurface(const std::filesystem::path& path, const TriangleMesh& mesh,
   }
   requireWritableMesh(mesh);
   writeFile(path, writer == nullptr ? vtpSurfaceText(mesh, tags, marks) : writer(mesh, tags));
+}
+
+void writeVtpSurface(const std::filesystem::path& path, const TriangleMesh& mesh,
+                     const SurfaceArrays& arrays) {
+  requireWritableMesh(mesh);
+  const vtkNew<vtkPolyData> data = polyDataOf(mesh);
+  for (const auto& [name, values] : arrays.pointVectors) {
+    data->GetPointData()->AddArray(doubles(name, 3, values.front().data(), values.size()));
+  }
+  for (const auto& [name, values] : arrays.pointValues) {
+    data->GetPointData()->AddArray(doubles(name, 1, values.data(), values.size()));
+  }
+  for (const auto& [name, value] : arrays.fieldValues) {
+    data->GetFieldData()->AddArray(doubles(name, 1, &value, 1));
+  }
+  addMarks(*data, arrays.triangleMarks);
+  setFieldText(*data, "SPACE", "LPS");
+  setFieldText(*data, "units", "mm");
+  writeFile(path, vtpText(*data));
 }
 
 }  // namespace pneuma

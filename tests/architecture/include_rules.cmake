@@ -4,15 +4,16 @@
 cmake_minimum_required(VERSION 3.25)
 
 # What each module may use of ours beside itself, bottom to top.
-set(MODULES core anatomy growth geometry lobes segmentation io pipeline render)
+set(MODULES core anatomy growth geometry lobes breathing segmentation io pipeline render)
 set(core_MAY_USE "")
 set(anatomy_MAY_USE core)
 set(growth_MAY_USE core anatomy)
 set(geometry_MAY_USE core)
 set(lobes_MAY_USE core anatomy geometry)
+set(breathing_MAY_USE core anatomy geometry)
 set(segmentation_MAY_USE core anatomy geometry)
 set(io_MAY_USE core anatomy)
-set(pipeline_MAY_USE core anatomy growth geometry lobes segmentation io)
+set(pipeline_MAY_USE core anatomy growth geometry lobes breathing segmentation io)
 set(render_MAY_USE core anatomy)
 
 list(JOIN MODULES "|" OUR_FOLDERS)

@@ -1,0 +1,79 @@
+#include "breathing/lung_motion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include <Eigen/LU>
+
+#include "core/error.h"
+#include "core/parallel.h"
+
+namespace pneuma {
+namespace {
+
+constexpr double SmallestMm = 50.0;
+constexpr double LargestMm = 500.0;
+constexpr double NeverFolds = 100.0;  // s, where no triangle ever turns over
+
+std::string millilitres(double mm3) { return std::to_string(std::lround(mm3 / 1000.0)) + " ml"; }
+
+/// The box of a lung, examined.
+LungFrame frameOf(Side side, const TriangleMesh& wall) {
+  const Box3 box = bounds(wall);
+  const double least = wall.points.empty() ? 0.0 : box.sizes().minCoeff();
+  const double most = wall.points.empty() ? 0.0 : box.sizes().maxCoeff();
+  if (least < SmallestMm || most > LargestMm) {
+    throw InvalidInput("a lung is " + std::to_string(most) + " mm long and " +
+                       std::to_string(least) + " mm wide; lungs are 50 to 500 mm: are these mm?");
+  }
+  if (!(signedVolumeMm3(wall) > 0.0)) {
+    throw InvalidInput("a lung's surface is inside out; repair it with 'pneuma repair'");
+  }
+  return {side, box};
+}
+
+}  // namespace
+
+LungMotion::LungMotion(Side side, const TriangleMesh& wall, MotionPreset preset, double mostMm3)
+    : side_(side),
+      wall_(wall),
+      field_(preset, frameOf(side, wall), mostMm3 / signedVolumeMm3(wall) - 1.0),
+      layer_(wall),
+      ofWall_(wall.points.size()) {
+  parallelFor(ofWall_.size(), [&](std::size_t n) { ofWall_[n] = field_.at(wall_.points[n]); });
+  thicknessMm_ = layer_.thicknessFor(ofWall_, mostMm3);
+  for (std::size_t n = 0; n < ofWall_.size(); ++n) {
+    ofWall_[n] += thicknessMm_ * layer_.normals()[n];
+  }
+  volume_ = volumePolynomial(wall_, ofWall_);
+  maxScale_ = 0.5 * foldLimit(wall_, ofWall_).value_or(NeverFolds);
+  minScale_ = 0.5 * foldLimit(wall_, ofWall_, -1.0).value_or(-NeverFolds);
+}
+
+Vec3 LungMotion::at(const Vec3& p) const { return field_.at(p) + thicknessMm_ * layer_.at(p); }
+
+double LungMotion::scaleFor(const VolumePolynomial& volume, double volumeMm3) const {
+  const std::optional<double> scale = scaleForVolume(volume, volumeMm3);
+  if (scale && *scale >= minScale_ && *scale <= maxScale_) return *scale;
+  throw InvalidInput("at " + millilitres(volumeMm3) + " the " +
+                     (side_ == Side::Right ? "right" : "left") +
+                     " lung would fold; it does not from " + millilitres(volume.at(minScale_)) +
+                     " to " + millilitres(volume.at(maxScale_)) + ": ask for a smaller breath");
+}
+
+double leastDeterminant(const LungMotion& motion, std::span<const Vec3> points, double s) {
+  constexpr double HalfMm = 0.5;
+  std::vector<double> found(points.size());
+  parallelFor(points.size(), [&](std::size_t n) {
+    Eigen::Matrix3d gradient;
+    for (int axis = 0; axis < 3; ++axis) {
+      const Vec3 step = HalfMm * Vec3::Unit(axis);
+      gradient.col(axis) = motion.at(points[n] + step) - motion.at(points[n] - step);
+    }
+    found[n] = (Eigen::Matrix3d::Identity() + s * gradient).determinant();
+  });
+  return found.empty() ? 1.0 : *std::ranges::min_element(found);
+}
+
+}  // namespace pneuma

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "breathing/motion_preset.h"
+#include "breathing/volume_layer.h"
+#include "breathing/volume_polynomial.h"
+
+namespace pneuma {
+
+/// One field of displacements for a whole lung, from the end of expiration on: everything in it,
+/// its lobes, fissures and airways, moves to x + s u(x). s = 0 is the lung at rest, s = 1 the
+/// largest volume that the field was made for. As all take the same field, lobes that share a point
+/// keep it shared and no gap opens. The direction of a point stays the same through a breath; how
+/// far it goes is s, and s comes from the enclosed volume exactly.
+class LungMotion {
+ public:
+  /// @param wall the closed surface of the whole lung at rest, LPS, mm
+  /// @param mostMm3 the largest volume it takes
+  /// @throws InvalidInput if the wall is inside out, its box is no lung's (50 to 500 mm), or the
+  /// volume cannot be reached
+  LungMotion(Side side, const TriangleMesh& wall, MotionPreset preset, double mostMm3);
+
+  Side side() const { return side_; }
+
+  double restMm3() const { return volume_.a[0]; }
+
+  const TriangleMesh& wall() const { return wall_; }
+
+  /// u of the wall's points, mm.
+  std::span<const Vec3> ofWall() const { return ofWall_; }
+
+  /// u of any point in the lung, mm. May be called from several threads.
+  Vec3 at(const Vec3& p) const;
+
+  /// The s at which the lung has this volume. @throws InvalidInput outside of minScale() and
+  /// maxScale(), naming the volumes that do not fold the lung
+  double scaleFor(double volumeMm3) const { return scaleFor(volume_, volumeMm3); }
+
+  /// The same where lobes tell how much the lung encloses: they do so differently from a wall that
+  /// was drawn anew around them.
+  double scaleFor(const VolumePolynomial& volume, double volumeMm3) const;
+
+  /// Half of the s above and below 0 at which a triangle of the wall would turn over.
+  double maxScale() const { return maxScale_; }
+
+  double minScale() const { return minScale_; }
+
+  const VolumePolynomial& volume() const { return volume_; }
+
+  double layerMm() const { return thicknessMm_; }
+
+ private:
+  Side side_;
+  TriangleMesh wall_;
+  PresetField field_;
+  VolumeLayer layer_;
+  double thicknessMm_ = 0.0;
+  std::vector<Vec3> ofWall_;
+  VolumePolynomial volume_;
+  double maxScale_ = 0.0;
+  double minScale_ = 0.0;
+};
+
+/// The smallest determinant of I + s grad u at points in a lung, by differences over 1 mm. Above 0
+/// nothing is turned inside out.
+double leastDeterminant(const LungMotion& motion, std::span<const Vec3> points, double s);
+
+}  // namespace pneuma

@@ -1,0 +1,131 @@
+#include "breathing/volume_layer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include <Eigen/IterativeLinearSolvers>
+#include <Eigen/SparseCore>
+
+#include "breathing/volume_polynomial.h"
+#include "core/error.h"
+#include "geometry/nearest_triangle.h"
+
+namespace pneuma {
+namespace {
+
+constexpr double DepthMm = 15.0;
+constexpr double SmoothMm = 10.0;
+constexpr double MostCotangent = 100.0;  // of slivers
+constexpr double SolvedTo = 1e-8;
+constexpr double MostMm = 10.0;  // of a; its slope in depth is a / 15 mm
+
+std::vector<Vec3> areaNormals(const TriangleMesh& surface) {
+  std::vector<Vec3> normals(surface.points.size(), Vec3::Zero());
+  for (const auto& [i, j, k] : surface.triangles) {
+    const Vec3 area =
+        (surface.points[j] - surface.points[i]).cross(surface.points[k] - surface.points[i]);
+    for (const std::uint32_t n : {i, j, k}) normals[n] += area;
+  }
+  return normals;
+}
+
+void normalise(std::vector<Vec3>& normals) {
+  for (Vec3& normal : normals) {
+    const double length = normal.norm();
+    if (length > 0.0) normal /= length;
+  }
+}
+
+/// Normals that change over SmoothMm whatever the triangles' size: N of (M + l^2 L) N = M N0, with
+/// M the area of each point and L the cotangent Laplacian, weights below 0 left out.
+std::vector<Vec3> smoothedNormals(const TriangleMesh& surface) {
+  std::vector<Vec3> normals = areaNormals(surface);
+  normalise(normals);
+  const auto count = static_cast<Eigen::Index>(normals.size());
+  std::vector<Eigen::Triplet<double>> entries;
+  entries.reserve(15 * surface.triangles.size());
+  Eigen::MatrixX3d wanted = Eigen::MatrixX3d::Zero(count, 3);
+  for (const auto& triangle : surface.triangles) {
+    const Vec3& a = surface.points[triangle[0]];
+    const double area =
+        0.5 * (surface.points[triangle[1]] - a).cross(surface.points[triangle[2]] - a).norm();
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      const std::uint32_t at = triangle[corner];
+      const std::uint32_t i = triangle[(corner + 1) % 3];
+      const std::uint32_t j = triangle[(corner + 2) % 3];
+      entries.emplace_back(at, at, area / 3.0);
+      wanted.row(at) += area / 3.0 * normals[at].transpose();
+      const Vec3 toI = surface.points[i] - surface.points[at];
+      const Vec3 toJ = surface.points[j] - surface.points[at];
+      const double sine = toI.cross(toJ).norm();
+      const double cotangent =
+          sine > 0.0 ? std::clamp(toI.dot(toJ) / sine, 0.0, MostCotangent) : 0.0;
+      const double weight = 0.5 * SmoothMm * SmoothMm * cotangent;
+      entries.emplace_back(i, i, weight);
+      entries.emplace_back(j, j, weight);
+      entries.emplace_back(i, j, -weight);
+      entries.emplace_back(j, i, -weight);
+    }
+  }
+  Eigen::SparseMatrix<double> matrix(count, count);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  Eigen::ConjugateGradient<Eigen::SparseMatrix<double>, Eigen::Lower | Eigen::Upper> solver;
+  solver.setTolerance(SolvedTo);
+  solver.compute(matrix);
+  const Eigen::MatrixX3d solved = solver.solve(wanted);
+  for (std::size_t n = 0; n < normals.size(); ++n) {
+    normals[n] = solved.row(static_cast<Eigen::Index>(n)).transpose();
+  }
+  normalise(normals);
+  return normals;
+}
+
+}  // namespace
+
+struct VolumeLayer::Surface {
+  TriangleMesh mesh;
+  std::vector<Vec3> normals;
+  NearestTriangle nearest;
+
+  explicit Surface(const TriangleMesh& surface)
+      : mesh(surface), normals(smoothedNormals(surface)), nearest(mesh) {}
+};
+
+VolumeLayer::VolumeLayer(const TriangleMesh& surface)
+    : surface_(std::make_unique<Surface>(surface)) {}
+
+VolumeLayer::~VolumeLayer() = default;
+VolumeLayer::VolumeLayer(VolumeLayer&&) noexcept = default;
+VolumeLayer& VolumeLayer::operator=(VolumeLayer&&) noexcept = default;
+
+const std::vector<Vec3>& VolumeLayer::normals() const { return surface_->normals; }
+
+double VolumeLayer::thicknessFor(std::span<const Vec3> displacement, double wantedMm3) const {
+  TriangleMesh moved = surface_->mesh;
+  for (std::size_t n = 0; n < moved.points.size(); ++n) moved.points[n] += displacement[n];
+  const auto thickness = scaleForVolume(volumePolynomial(moved, surface_->normals), wantedMm3);
+  if (thickness && std::abs(*thickness) <= MostMm) return *thickness;
+  throw InvalidInput("the lung cannot be brought to " + std::to_string(wantedMm3 / 1000.0) +
+                     " ml near its wall; ask for a smaller change of volume");
+}
+
+Vec3 VolumeLayer::at(const Vec3& p) const {
+  const NearestTriangle::Hit hit = surface_->nearest.nearest(p);
+  const auto& triangle = surface_->mesh.triangles[hit.triangle];
+  const Vec3& a = surface_->mesh.points[triangle[0]];
+  const Vec3& b = surface_->mesh.points[triangle[1]];
+  const Vec3& c = surface_->mesh.points[triangle[2]];
+  const Vec3 area = (b - a).cross(c - a);
+  const double whole = area.squaredNorm();
+  Vec3 normal = surface_->normals[triangle[0]];
+  if (whole > 0.0) {
+    const double first = area.dot((b - hit.point).cross(c - hit.point)) / whole;
+    const double second = area.dot((c - hit.point).cross(a - hit.point)) / whole;
+    normal = first * surface_->normals[triangle[0]] + second * surface_->normals[triangle[1]] +
+             (1.0 - first - second) * surface_->normals[triangle[2]];
+  }
+  return std::exp(-(p - hit.point).norm() / DepthMm) * normal;
+}
+
+}  // namespace pneuma

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "core/triangle_mesh.h"
+
+namespace pneuma {
+
+/// A thin layer below a lung's surface that takes up what a displacement field lacks in volume:
+/// u + a N exp(-d / 15 mm), N the smoothed normal of the nearest surface, d the distance to it. To
+/// scale the whole field instead would move the inside too far, which expands less than the lung.
+class VolumeLayer {
+ public:
+  /// @param surface closed, oriented outwards
+  explicit VolumeLayer(const TriangleMesh& surface);
+  ~VolumeLayer();
+  VolumeLayer(VolumeLayer&&) noexcept;
+  VolumeLayer& operator=(VolumeLayer&&) noexcept;
+
+  /// Smoothed unit normals of the surface's points.
+  const std::vector<Vec3>& normals() const;
+
+  /// How thick the layer has to become for the surface, moved by `displacement`, to enclose a
+  /// volume: a, mm.
+  /// @throws InvalidInput if it would turn the lung's outer 15 mm inside out, |a| > 10 mm
+  double thicknessFor(std::span<const Vec3> displacement, double wantedMm3) const;
+
+  /// N exp(-d / 15 mm) at any point; N at the surface's own points. Queries may run on several
+  /// threads.
+  Vec3 at(const Vec3& p) const;
+
+ private:
+  struct Surface;
+  std::unique_ptr<Surface> surface_;
+};
+
+}  // namespace pneuma

@@ -1,0 +1,155 @@
+#include "pipeline/breathe.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/LU>
+
+#include "core/error.h"
+#include "core/parallel.h"
+#include "pipeline/detail/breathing_parts.h"
+#include "pipeline/whole_lungs.h"
+
+namespace pneuma {
+namespace {
+
+constexpr double Mm3PerMl = 1000.0;
+constexpr double MlPerLitre = 1000.0;
+constexpr double SafeShare = 1.5;  // of the largest s in use, at which nothing may turn inside out
+
+MotionPreset presetOf(const BreatheOptions& options) {
+  if (options.motion == MotionChoice::Quiet) return MotionPreset::Quiet;
+  if (options.motion == MotionChoice::Deep) return MotionPreset::Deep;
+  return scenarioOf(options.scenario).deep ? MotionPreset::Deep : MotionPreset::Quiet;
+}
+
+/// The curve of the scenario, brought to the volume and period that were asked for.
+BreathCycle cycleOf(const BreatheOptions& options, BreathDrive& drive) {
+  const BreathScenario& scenario = scenarioOf(options.scenario);
+  BreathMechanics mechanics = scenario.mechanics;
+  drive = scenario.drive;
+  if (options.periodSeconds > 0.0) {
+    const double longer = options.periodSeconds / drive.period;
+    drive.period *= longer;
+    drive.inspiration *= longer;
+    drive.relaxation *= longer;
+  }
+  const double asked = options.tidalMl / MlPerLitre;
+  if (asked > 0.0) mechanics.tidal = asked;
+  if (asked > 0.0 || options.periodSeconds > 0.0 || scenario.deep) {
+    return breathOfVolume(mechanics, drive, mechanics.tidal);
+  }
+  return periodicBreath(mechanics, drive);
+}
+
+/// Of each lung in what both take in: by its volume and what it keeps of its compliance.
+std::map<Side, double> sharesOf(const std::map<Side, double>& restMm3,
+                                const BreatheOptions& options) {
+  const BreathScenario& scenario = scenarioOf(options.scenario);
+  const Side affected = options.affected == AffectedLung::Right ? Side::Right : Side::Left;
+  std::map<Side, double> shares = restMm3;
+  double sum = 0.0;
+  for (auto& [side, share] : shares) {
+    if (side == affected) share *= scenario.affectedCompliance;
+    sum += share;
+  }
+  for (auto& [side, share] : shares) share /= sum;
+  return shares;
+}
+
+/// Points within a lung to look at, about one for every 12 mm in each direction.
+std::vector<Vec3> probesIn(const LungMotion& motion) {
+  constexpr double StepMm = 12.0;
+  const Box3 box = bounds(motion.wall());
+  std::vector<Vec3> points = motion.wall().points;
+  const std::size_t every = std::max<std::size_t>(1, points.size() / 4000);
+  std::vector<Vec3> probes;
+  for (std::size_t n = 0; n < points.size(); n += every) probes.push_back(points[n]);
+  const std::vector<Vec3> inside = pointsWithin(motion.wall(), box, StepMm);
+  probes.insert(probes.end(), inside.begin(), inside.end());
+  return probes;
+}
+
+}  // namespace
+
+BreathingLungs breathe(const LungModel& given, const BreatheOptions& options,
+                       const Progress& progress) {
+  requireValid(options);
+  BreathingLungs lungs;
+  lungs.cycle = cycleOf(options, lungs.drive);
+  progress.report(0.02);
+  const Side affected = options.affected == AffectedLung::Right ? Side::Right : Side::Left;
+  const LungModel model =
+      collapsed(given, affected, scenarioOf(options.scenario).affectedRest, lungs.warnings);
+  const std::map<Side, TriangleMesh> walls =
+      wallsOf(model, lungs.warnings, progress.part(0.02, 0.3, "joining lobes"));
+  std::map<Side, double> restMm3;
+  for (const auto& [side, wall] : walls) restMm3[side] = signedVolumeMm3(wall);
+  const std::map<Side, double> shares = sharesOf(restMm3, options);
+  const double mostLitres = lungs.cycle.trapped + lungs.cycle.tidal;
+  const auto volumeOf = [&](Side side, double litres) {
+    return restMm3.at(side) + shares.at(side) * litres * MlPerLitre * Mm3PerMl;
+  };
+  const MotionPreset preset = presetOf(options);
+  for (const auto& [side, wall] : walls) {
+    lungs.motion.emplace(side, LungMotion(side, wall, preset, volumeOf(side, mostLitres)));
+    progress.report(0.4);
+  }
+  lungs.surfaces = movingSurfaces(model, lungs.motion, progress.part(0.4, 0.8, "moving lobes"));
+  for (const MovingSurface& surface : lungs.surfaces) {
+    const auto part = volumePolynomial(*surface.surface.mesh, surface.displacement);
+    for (std::size_t k = 0; k < part.a.size(); ++k) lungs.volume[surface.side].a[k] += part.a[k];
+  }
+  for (int n = 0; n < options.frames; ++n) {
+    BreathFrame frame;
+    frame.phase = static_cast<double>(n) / options.frames;
+    frame.breath = lungs.cycle.at(frame.phase);
+    for (const auto& [side, motion] : lungs.motion) {
+      const VolumePolynomial& volume = lungs.volume.at(side);
+      const double wanted = volume.a[0] + volumeOf(side, frame.breath.volume) - restMm3.at(side);
+      frame.scale[side] = motion.scaleFor(volume, wanted);
+      frame.volumeMl[side] = volume.at(frame.scale[side]) / Mm3PerMl;
+    }
+    lungs.frames.push_back(std::move(frame));
+  }
+  for (const auto& [side, motion] : lungs.motion) {
+    lungs.leastDeterminant[side] = leastDeterminant(motion, probesIn(motion), SafeShare);
+    if (lungs.leastDeterminant[side] <= 0.0) {
+      throw InvalidInput(std::string("the ") + (side == Side::Right ? "right" : "left") +
+                         " lung would be turned inside out at 1.5 times this breath; ask for a "
+                         "smaller one with --tidal");
+    }
+  }
+  lungs.tree = treeOf(model);
+  if (lungs.tree) moveTree(lungs, progress.part(0.8, 1.0, "moving airways"));
+  progress.report(1.0);
+  return lungs;
+}
+
+TriangleMesh surfaceAt(const MovingSurface& surface, double scale) {
+  TriangleMesh moved = *surface.surface.mesh;
+  for (std::size_t n = 0; n < moved.points.size(); ++n) {
+    moved.points[n] += scale * surface.displacement[n];
+  }
+  return moved;
+}
+
+AirwayTree treeAt(const BreathingLungs& lungs, const BreathFrame& frame) {
+  AirwayTree moved;
+  moved.reserve(lungs.tree->size());
+  for (std::size_t n = 0; n < lungs.tree->size(); ++n) {
+    Branch branch = (*lungs.tree)[n];
+    const auto scale = frame.scale.find(side(branch.lobe));
+    if (scale != frame.scale.end()) {
+      branch.proximal += scale->second * lungs.treeEnds[n][0];
+      branch.distal += scale->second * lungs.treeEnds[n][1];
+      for (std::size_t v = 0; v < branch.via.size(); ++v) {
+        branch.via[v].position += scale->second * lungs.treeVia[n][v];
+      }
+    }
+    moved.add(std::move(branch));
+  }
+  return moved;
+}
+
+}  // namespace pneuma

@@ -1,0 +1,66 @@
+#include <algorithm>
+#include <cmath>
+
+#include "pipeline/breathe.h"
+#include "pipeline/lobe_checks.h"
+#include "pipeline/report.h"
+
+namespace pneuma {
+namespace {
+
+constexpr double MostVolumeErrorMl = 1e-6;
+
+/// How far the moved surfaces' volumes of a lung are from the curve's, at most, ml.
+double volumeErrorMl(const BreathingLungs& lungs, Side side) {
+  double most = 0.0;
+  for (const BreathFrame& frame : lungs.frames) {
+    double sum = 0.0;
+    for (const MovingSurface& surface : lungs.surfaces) {
+      if (surface.side != side) continue;
+      sum += signedVolumeMm3(surfaceAt(surface, frame.scale.at(side))) / 1000.0;
+    }
+    most = std::max(most, std::abs(sum - frame.volumeMl.at(side)));
+  }
+  return most;
+}
+
+}  // namespace
+
+Json breatheReport(const LungModel& model, const BreathingLungs& lungs,
+                   const BreatheOptions& options) {
+  Json report = reportEnvelope("pneuma/breathe/1", model.inputs, toJson(options), 0);
+  report["scenario"] = scenarioOf(options.scenario).title;
+  report["basis"] =
+      "Displacements by constants fitted to landmarks of people (supine); typical error 3 to 4 mm "
+      "in "
+      "quiet breathing, 7 to 10 mm in a deep breath. Pressures, flows and diseases are plausible "
+      "values, reasoned and not measured.";
+  report["breath"] = {{"period_s", lungs.drive.period},
+                      {"drive_cmH2O", lungs.drive.peak},
+                      {"tidal_ml", 1000.0 * lungs.cycle.tidal},
+                      {"trapped_ml", 1000.0 * lungs.cycle.trapped},
+                      {"peak_inspiratory_ml_per_s", 1000.0 * lungs.cycle.peakInspiratory},
+                      {"peak_expiratory_ml_per_s", 1000.0 * lungs.cycle.peakExpiratory}};
+  report["lungs"] = Json::array();
+  std::vector<LobeCheck> checks;
+  for (const auto& [of, motion] : lungs.motion) {
+    const auto volume = [&](const BreathFrame& frame) { return frame.volumeMl.at(of); };
+    const auto [least, most] = std::ranges::minmax_element(lungs.frames, {}, volume);
+    report["lungs"].push_back({{"lung", name(of)},
+                               {"rest_ml", lungs.volume.at(of).a[0] / 1000.0},
+                               {"least_ml", volume(*least)},
+                               {"most_ml", volume(*most)},
+                               {"layer_mm", motion.layerMm()},
+                               {"fold_scale", 2.0 * motion.maxScale()},
+                               {"least_determinant", lungs.leastDeterminant.at(of)}});
+    const std::string suffix = of == Side::Right ? "-R" : "-L";
+    checks.push_back({"VOLUME" + suffix, volumeErrorMl(lungs, of), MostVolumeErrorMl});
+    checks.push_back({"INVERTED" + suffix, lungs.leastDeterminant.at(of) > 0.0 ? 0.0 : 1.0, 0.0});
+  }
+  report["checks"] = toJson(checks);
+  for (const std::string& warning : lungs.warnings) report["warnings"].push_back(warning);
+  report["peak_memory_mb"] = peakMemoryMb();
+  return report;
+}
+
+}  // namespace pneuma

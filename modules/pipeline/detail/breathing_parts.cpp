@@ -1,0 +1,234 @@
+#include "pipeline/detail/breathing_parts.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.h"
+#include "core/parallel.h"
+#include "geometry/surface_domain.h"
+#include "pipeline/whole_lungs.h"
+
+namespace pneuma {
+namespace {
+
+constexpr double RampMm = 30.0;  // over which airways take up the motion of their lobe
+constexpr std::size_t ChunkPoints = 4096;
+
+bool isWhole(Lobe lobe) { return lobe == Lobe::RightLung || lobe == Lobe::LeftLung; }
+
+/// From 0 to 1 and level at both ends.
+double ramp(double share) {
+  const double t = std::clamp(share, 0.0, 1.0);
+  return t * t * (3.0 - 2.0 * t);
+}
+
+/// How far along the airways each branch begins from where they enter a lung; below 0 outside.
+std::vector<double> depthsMm(const AirwayTree& tree) {
+  std::vector<double> depths(tree.size(), -1.0);
+  for (std::size_t n = 0; n < tree.size(); ++n) {
+    const Branch& branch = tree[n];
+    if (side(branch.lobe) == Side::None) continue;
+    const auto parent = static_cast<std::size_t>(branch.parent);
+    const bool enters = branch.parent < 0 || depths[parent] < 0.0;
+    depths[n] = enters ? 0.0 : depths[parent] + lengthMm(tree[parent]);
+  }
+  return depths;
+}
+
+/// Where the airways enter a lung, or the middle of its side towards the heart without any.
+Vec3 hilumOf(const LungModel& model, Side of, const Box3& box) {
+  if (const auto tree = treeOf(model)) {
+    for (const Branch& branch : *tree) {
+      if (side(branch.lobe) == of) return branch.proximal;
+    }
+  }
+  Vec3 hilum = box.center();
+  hilum.x() = of == Side::Right ? box.max().x() : box.min().x();
+  return hilum;
+}
+
+std::vector<Vec3> displacements(const LungMotion& motion, const std::vector<Vec3>& points,
+                                const Progress& progress) {
+  std::vector<Vec3> moved(points.size());
+  for (std::size_t begin = 0; begin < points.size(); begin += ChunkPoints) {
+    progress.throwIfStopped();
+    const std::size_t count = std::min(ChunkPoints, points.size() - begin);
+    parallelFor(count, [&](std::size_t n) { moved[begin + n] = motion.at(points[begin + n]); });
+  }
+  return moved;
+}
+
+/// det(I + s G) = 1 + tr(G) s + (sum of the principal minors) s^2 + det(G) s^3.
+std::array<double, 3> determinantOf(const LungMotion& motion, const Vec3& p) {
+  constexpr double HalfMm = 0.5;
+  Eigen::Matrix3d g;
+  for (int axis = 0; axis < 3; ++axis) {
+    const Vec3 step = HalfMm * Vec3::Unit(axis);
+    g.col(axis) = motion.at(p + step) - motion.at(p - step);
+  }
+  const double trace = g.trace();
+  const double minors = 0.5 * (trace * trace - (g * g).trace());
+  return {trace, minors, g.determinant()};
+}
+
+}  // namespace
+
+std::map<Side, TriangleMesh> wallsOf(const LungModel& model, std::vector<std::string>& warnings,
+                                     const Progress& progress) {
+  if (!model.surfaces || model.surfaces->empty()) {
+    throw InvalidInput("there is no lung to breathe; give the surfaces of its lobes");
+  }
+  const bool lobes = std::ranges::none_of(*model.surfaces, isWhole, &LobeSurface::lobe);
+  LungModel joined = lobes ? withWholeLungs(model, progress) : model;
+  requireSides(joined);
+  std::map<Side, TriangleMesh> walls;
+  for (const LobeSurface& surface : *joined.surfaces) {
+    if (isWhole(surface.lobe)) walls.emplace(side(surface.lobe), *surface.mesh);
+  }
+  if (walls.empty()) {
+    throw InvalidInput(
+        "no surface is a lung or a lobe by its name; names carry right, left, rul, "
+        "rml, rll, lul or lll");
+  }
+  warnings.insert(warnings.end(),
+                  joined.warnings.begin() + static_cast<std::ptrdiff_t>(model.warnings.size()),
+                  joined.warnings.end());
+  return walls;
+}
+
+LungModel collapsed(const LungModel& model, Side of, double share,
+                    std::vector<std::string>& warnings) {
+  if (share == 1.0 || !model.surfaces) return model;
+  Box3 box;
+  for (const LobeSurface& surface : *model.surfaces) {
+    if (side(surface.lobe) == of) box.extend(bounds(*surface.mesh));
+  }
+  if (box.isEmpty()) {
+    throw InvalidInput(std::string("there is no ") + (of == Side::Right ? "right" : "left") +
+                       " lung to have a pneumothorax; choose the other with --affected");
+  }
+  const Vec3 hilum = hilumOf(model, of, box);
+  const double k = std::cbrt(share);
+  const auto shrunk = [&](const Vec3& p) { return Vec3(hilum + k * (p - hilum)); };
+  LungModel result = model;
+  auto surfaces = std::make_shared<std::vector<LobeSurface>>(*model.surfaces);
+  for (LobeSurface& surface : *surfaces) {
+    if (side(surface.lobe) != of) continue;
+    auto mesh = std::make_shared<TriangleMesh>(*surface.mesh);
+    for (Vec3& p : mesh->points) p = shrunk(p);
+    surface.mesh = std::move(mesh);
+  }
+  result.surfaces = std::move(surfaces);
+  if (const auto tree = treeOf(model)) {
+    auto moved = std::make_shared<AirwayTree>();
+    for (Branch branch : *tree) {
+      if (side(branch.lobe) == of) {
+        branch.proximal = shrunk(branch.proximal);
+        branch.distal = shrunk(branch.distal);
+        for (CentrelinePoint& point : branch.via) point.position = shrunk(point.position);
+      }
+      if (branch.parent >= 0 &&
+          side((*moved)[static_cast<std::size_t>(branch.parent)].lobe) != of) {
+        branch.proximal = (*moved)[static_cast<std::size_t>(branch.parent)].distal;
+      }
+      moved->add(std::move(branch));
+    }
+    result.growth = nullptr;
+    result.central = nullptr;
+    result.opened = std::move(moved);
+  }
+  warnings.push_back("The lung with the pneumothorax was shrunk about its hilum to " +
+                     std::to_string(std::lround(100.0 * share)) +
+                     " % of its volume: a drawing of the disease, not a measurement.");
+  return result;
+}
+
+std::vector<MovingSurface> movingSurfaces(const LungModel& model,
+                                          const std::map<Side, LungMotion>& motion,
+                                          const Progress& progress) {
+  std::vector<MovingSurface> surfaces;
+  for (const LobeSurface& surface : *model.surfaces) {
+    const auto found = motion.find(side(surface.lobe));
+    if (found == motion.end()) continue;
+    const LungMotion& of = found->second;
+    MovingSurface moving{
+        surface, found->first, displacements(of, surface.mesh->points, progress), {}};
+    moving.volumeChange.resize(surface.mesh->points.size());
+    for (std::size_t begin = 0; begin < moving.volumeChange.size(); begin += ChunkPoints) {
+      progress.throwIfStopped();
+      const std::size_t count = std::min(ChunkPoints, moving.volumeChange.size() - begin);
+      parallelFor(count, [&](std::size_t n) {
+        moving.volumeChange[begin + n] = determinantOf(of, surface.mesh->points[begin + n]);
+      });
+    }
+    surfaces.push_back(std::move(moving));
+    progress.report(static_cast<double>(surfaces.size()) /
+                    static_cast<double>(model.surfaces->size()));
+  }
+  return surfaces;
+}
+
+void moveTree(BreathingLungs& lungs, const Progress& progress) {
+  const AirwayTree& tree = *lungs.tree;
+  Box3 box;
+  for (const auto& [side, motion] : lungs.motion) box.extend(bounds(motion.wall()));
+  std::size_t inside = 0;
+  std::size_t ofLungs = 0;
+  for (const Branch& branch : tree) {
+    if (lungs.motion.count(side(branch.lobe)) == 0) continue;
+    ++ofLungs;
+    if (box.contains(branch.distal)) ++inside;
+  }
+  if (ofLungs == 0) {
+    throw InvalidInput(
+        "no airway says which lobe it is in, so that none would move; give a tree "
+        "that 'pneuma grow' grew in these lobes");
+  }
+  if (2 * inside < ofLungs) {
+    throw InvalidInput("the tree lies elsewhere than the lungs: " + std::to_string(inside) +
+                       " of " + std::to_string(ofLungs) +
+                       " airways are within their box; are both of the same person?");
+  }
+  const std::vector<double> depths = depthsMm(tree);
+  lungs.treeEnds.assign(tree.size(), {Vec3::Zero(), Vec3::Zero()});
+  lungs.treeVia.resize(tree.size());
+  for (std::size_t begin = 0; begin < tree.size(); begin += ChunkPoints) {
+    progress.throwIfStopped();
+    progress.report(static_cast<double>(begin) / static_cast<double>(tree.size()));
+    parallelFor(std::min(ChunkPoints, tree.size() - begin), [&](std::size_t offset) {
+      const std::size_t n = begin + offset;
+      const Branch& branch = tree[n];
+      lungs.treeVia[n].assign(branch.via.size(), Vec3::Zero());
+      const auto motion = lungs.motion.find(side(branch.lobe));
+      if (motion == lungs.motion.end()) return;
+      double depth = depths[n];
+      const auto moved = [&](const Vec3& p) {
+        return Vec3(ramp(depth / RampMm) * motion->second.at(p));
+      };
+      lungs.treeEnds[n][0] = moved(branch.proximal);
+      Vec3 last = branch.proximal;
+      for (std::size_t v = 0; v < branch.via.size(); ++v) {
+        depth += (branch.via[v].position - last).norm();
+        last = branch.via[v].position;
+        lungs.treeVia[n][v] = moved(last);
+      }
+      depth += (branch.distal - last).norm();
+      lungs.treeEnds[n][1] = moved(branch.distal);
+    });
+  }
+}
+
+std::vector<Vec3> pointsWithin(const TriangleMesh& surface, const Box3& box, double stepMm) {
+  const SurfaceDomain domain(surface);
+  std::vector<Vec3> points;
+  for (double z = box.min().z(); z < box.max().z(); z += stepMm) {
+    for (double y = box.min().y(); y < box.max().y(); y += stepMm) {
+      for (double x = box.min().x(); x < box.max().x(); x += stepMm) {
+        if (domain.contains({x, y, z})) points.emplace_back(x, y, z);
+      }
+    }
+  }
+  return points;
+}
+
+}  // namespace pneuma

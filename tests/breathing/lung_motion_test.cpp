@@ -1,0 +1,129 @@
+#include "breathing/lung_motion.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "core/error.h"
+#include "geometry/test_surfaces.h"
+
+namespace pneuma {
+namespace {
+
+/// An ellipsoid of the size of a lung, 3.1 l.
+TriangleMesh egg(double scale = 1.0) {
+  TriangleMesh mesh = testing::sphere(1.0, Vec3::Zero(), 5);
+  for (Vec3& p : mesh.points) {
+    p = Vec3(-70.0, 10.0, 30.0) + scale * p.cwiseProduct(Vec3(60.0, 95.0, 130.0));
+  }
+  return mesh;
+}
+
+TEST(LungFrame, BeginsAtHeartBackAndApexOfBothLungs) {
+  const Box3 box(Vec3(-130.0, -85.0, -100.0), Vec3(-10.0, 105.0, 160.0));
+  const LungFrame right(Side::Right, box);
+  EXPECT_TRUE(right.shareOf({-10.0, 105.0, 160.0}).isZero(1e-12));
+  EXPECT_TRUE(right.shareOf({-130.0, -85.0, -100.0}).isApprox(Vec3::Ones(), 1e-12));
+  EXPECT_TRUE(right.toLps({1.0, 2.0, 3.0}).isApprox(Vec3(-1.0, -2.0, -3.0)));
+  const LungFrame left(Side::Left, box);
+  EXPECT_TRUE(left.shareOf({-130.0, 105.0, 160.0}).isZero(1e-12));
+  EXPECT_TRUE(left.toLps({1.0, 2.0, 3.0}).isApprox(Vec3(1.0, -2.0, -3.0)));
+}
+
+TEST(PresetField, TakesTheTablesConstants) {
+  const Box3 box(Vec3(0.0, 0.0, 0.0), Vec3(100.0, 150.0, 200.0));
+  const LungFrame frame(Side::Left, box);
+  const double gain = std::pow(1.1, 3.0) - 1.0;  // a strain of 0.1
+  // At the base, front and side: q = (1, 1, 1).
+  const Vec3 corner(100.0, 0.0, 0.0);
+  const Vec3 deep = PresetField(MotionPreset::Deep, frame, gain).at(corner);
+  EXPECT_NEAR(deep.x(), 0.1 * 100.0 * (0.52 - 0.34 - 0.08), 1e-9);
+  EXPECT_NEAR(deep.y(), -0.1 * 150.0 * (0.46 + 0.64 + 0.50), 1e-9);
+  EXPECT_NEAR(deep.z(), -0.1 * 200.0 * (0.07 - 0.29 + 0.82), 1e-9);
+  const Vec3 quiet = PresetField(MotionPreset::Quiet, frame, gain).at(corner);
+  EXPECT_NEAR(quiet.x(), 0.075 * 100.0 * (0.48 - 0.25), 1e-9);
+  EXPECT_NEAR(quiet.y(), -0.075 * 150.0 * (-0.66 + 0.12 + 0.44), 1e-9);
+  EXPECT_NEAR(quiet.z(), -0.075 * 200.0 * (0.42 - 0.69 + 2.94 - 0.27 - 1.56), 1e-9);
+}
+
+class Motions : public ::testing::TestWithParam<std::pair<MotionPreset, double>> {
+ protected:
+  double gain() const { return GetParam().second; }
+
+  LungMotion motion(const TriangleMesh& mesh) const {
+    return {Side::Right, mesh, GetParam().first, (1.0 + gain()) * signedVolumeMm3(mesh)};
+  }
+};
+
+TEST_P(Motions, HaveTheVolumeAskedForAtEveryStep) {
+  const TriangleMesh mesh = egg();
+  const LungMotion moved = motion(mesh);
+  EXPECT_NEAR(moved.scaleFor((1.0 + gain()) * moved.restMm3()), 1.0, 1e-9);
+  EXPECT_NEAR(moved.scaleFor(moved.restMm3()), 0.0, 1e-12);
+  for (int step = -2; step <= 12; ++step) {
+    const double wanted = moved.restMm3() * (1.0 + gain() * step / 10.0);
+    const double s = moved.scaleFor(wanted);
+    TriangleMesh now = mesh;
+    for (std::size_t n = 0; n < now.points.size(); ++n) now.points[n] += s * moved.ofWall()[n];
+    EXPECT_NEAR(signedVolumeMm3(now), wanted, 1e-3) << step;  // 1e-6 ml
+  }
+}
+
+TEST_P(Motions, GiveTheWallAndItsInsideOneField) {
+  const TriangleMesh mesh = egg();
+  const LungMotion moved = motion(mesh);
+  for (std::size_t n = 0; n < mesh.points.size(); n += 97) {
+    EXPECT_NEAR((moved.at(mesh.points[n]) - moved.ofWall()[n]).norm(), 0.0, 1e-9) << n;
+    // 1 % further in the field is at most 2 % of itself and a fifteenth of the layer's millimetre
+    // away.
+    const Vec3 inner = mesh.points[n] - 0.01 * (mesh.points[n] - Vec3(-70.0, 10.0, 30.0));
+    const double most = 0.03 * moved.ofWall()[n].norm() + 0.1 * std::abs(moved.layerMm());
+    EXPECT_LT((moved.at(inner) - moved.ofWall()[n]).norm(), most) << n;
+  }
+}
+
+TEST_P(Motions, TurnNothingInsideOut) {
+  const TriangleMesh mesh = egg();
+  const LungMotion moved = motion(mesh);
+  std::vector<Vec3> inside;
+  for (double share = 0.05; share < 1.0; share += 0.1) {
+    const TriangleMesh shell = egg(share);
+    for (std::size_t n = 0; n < shell.points.size(); n += 41) inside.push_back(shell.points[n]);
+  }
+  EXPECT_GT(moved.maxScale(), 1.5);
+  for (const double s : {-0.5, 0.5, 1.0, 1.5}) {
+    EXPECT_GT(leastDeterminant(moved, inside, s), 0.1) << s;
+  }
+  EXPECT_NEAR(leastDeterminant(moved, inside, 0.0), 1.0, 1e-12);
+}
+
+INSTANTIATE_TEST_SUITE_P(Presets, Motions,
+                         ::testing::Values(std::pair(MotionPreset::Quiet, 0.15),
+                                           std::pair(MotionPreset::Quiet, 0.25),
+                                           std::pair(MotionPreset::Deep, 0.6),
+                                           std::pair(MotionPreset::Deep, 1.0)));
+
+TEST(LungMotion, NamesTheVolumesThatDoNotFold) {
+  const TriangleMesh mesh = egg();
+  const double rest = signedVolumeMm3(mesh);
+  const LungMotion moved(Side::Left, mesh, MotionPreset::Quiet, 1.2 * rest);
+  try {
+    moved.scaleFor(0.01 * rest);
+    FAIL() << "no limit";
+  } catch (const InvalidInput& error) {
+    EXPECT_NE(std::string(error.what()).find("left lung would fold"), std::string::npos)
+        << error.what();
+  }
+}
+
+TEST(LungMotion, RefusesWhatIsNoLung) {
+  const TriangleMesh metres = egg(1e-3);
+  EXPECT_THROW(LungMotion(Side::Left, metres, MotionPreset::Quiet, 3.5e-3), InvalidInput);
+  TriangleMesh inverted = egg();
+  for (auto& triangle : inverted.triangles) std::swap(triangle[0], triangle[1]);
+  EXPECT_THROW(LungMotion(Side::Left, inverted, MotionPreset::Quiet, 3.5e6), InvalidInput);
+  EXPECT_THROW(LungMotion(Side::Left, {}, MotionPreset::Quiet, 3.5e6), InvalidInput);
+}
+
+}  // namespace
+}  // namespace pneuma
