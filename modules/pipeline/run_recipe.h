@@ -44,9 +44,9 @@ struct StageResult {
   std::vector<std::string> warnings;  ///< whole sentences
 };
 
-/// Does a recipe: CT, lungs and central airways, lobes, a grown tree, files of further formats. A stage
-/// whose input, options and program are those of the run before, and whose files are still what
-/// they were, is kept: run.json in the folder holds their hashes. Files are written aside and
+/// Does a recipe: CT, lungs and central airways, lobes, a grown tree, files of further formats. A
+/// stage whose input, options and program are those of the run before, and whose files are still
+/// what they were, is kept: run.json in the folder holds their hashes. Files are written aside and
 /// renamed, run.json last, so that a run that is stopped leaves nothing that counts as done. What a
 /// run before left of a stage that is done anew, and of those after it, is removed; a file that is
 /// not as a run left it stops the run before it begins, and the CT is never overwritten.
