@@ -42,6 +42,7 @@ struct SnapOptions {
 inline constexpr double ThickestSliceMm = 1.5;
 
 bool hasThinSlices(const ImageGeometry& geometry);
+
 inline bool hasThinSlices(const CtImage& ct) { return hasThinSlices(ct.geometry); }
 
 /// @throws Unsupported unless hasThinSlices()
