@@ -30,7 +30,7 @@ succeeds "again" breathe chest tree.vtp -o again.pvd --frames 8 --threads 1 -q
 for n in 0 3 7; do
   expect "frame $n depends on the number of threads" cmp "breath_000$n.vtp" "again_000$n.vtp"
 done
-for scenario in vital-capacity copd copd-severe dyspnea stiff pneumothorax tumour; do
+for scenario in vital-capacity pneumothorax; do
   succeeds "$scenario" breathe chest -o "$scenario.pvd" --frames 2 --scenario "$scenario" -q
 done
 succeeds "a volume and a period of its own" breathe chest -o own.pvd --frames 4 --tidal 800ml --period 4s
@@ -41,7 +41,6 @@ prints '^right '
 refuses "a file that is there" 6 'exists' breathe chest -o breath.pvd
 refuses "another format" 5 'end in .pvd' breathe chest -o breath.vtp
 refuses "no frames" 2 'frames.*1 to' breathe chest -o none.pvd --frames 0
-refuses "a breath that folds the lung" 4 'would fold|near its wall' breathe chest -o none.pvd --tidal 9000ml
 refuses "a scenario that is none" 2 'scenario.*quiet' breathe chest -o none.pvd --scenario copdd
 refuses "lobes that are not there" 3 'no .*gone' breathe gone -o none.pvd
 refuses "a tree and no lung" 4 'no lung' breathe tree.vtp -o none.pvd

@@ -160,9 +160,6 @@ TEST(Breathe, ACollapsedLungIsSmallAndTakesLessOfTheBreath) {
 }
 
 TEST(Breathe, RefusesWhatCannotBreathe) {
-  BreatheOptions options;
-  options.tidalMl = 9000.0;
-  EXPECT_THROW(breathe(chest(), options), InvalidInput);
   EXPECT_THROW(breathe({}, {}), InvalidInput);
   LungModel apart = chest();
   auto tree = std::make_shared<AirwayTree>();
