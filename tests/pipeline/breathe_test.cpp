@@ -15,7 +15,7 @@ namespace pneuma {
 namespace {
 
 /// The sample's lobes with a tree grown in them.
-const LungModel& chest() {
+const LungModel& grownChest() {
   static const LungModel made = [] {
     const SampleChest sample = sampleChest(4.0);
     LungModel model;
@@ -32,7 +32,7 @@ BreathingLungs breathing(Breathing scenario, int frames = 8) {
   BreatheOptions options;
   options.scenario = scenario;
   options.frames = frames;
-  return breathe(chest(), options);
+  return breathe(grownChest(), options);
 }
 
 const MovingSurface& surfaceOf(const BreathingLungs& lungs, Lobe lobe) {
@@ -151,7 +151,7 @@ TEST(Breathe, ACollapsedLungIsSmallAndTakesLessOfTheBreath) {
   BreatheOptions options;
   options.scenario = Breathing::Pneumothorax;
   options.affected = AffectedLung::Right;
-  const BreathingLungs lungs = breathe(chest(), options);
+  const BreathingLungs lungs = breathe(grownChest(), options);
   const BreathingLungs healthy = breathing(Breathing::Quiet);
   EXPECT_NEAR(lungs.motion.at(Side::Right).restMm3() / healthy.motion.at(Side::Right).restMm3(),
               0.45, 1e-6);
@@ -161,7 +161,7 @@ TEST(Breathe, ACollapsedLungIsSmallAndTakesLessOfTheBreath) {
 
 TEST(Breathe, RefusesWhatCannotBreathe) {
   EXPECT_THROW(breathe({}, {}), InvalidInput);
-  LungModel apart = chest();
+  LungModel apart = grownChest();
   auto tree = std::make_shared<AirwayTree>();
   for (Branch branch : *treeOf(apart)) {
     branch.proximal.x() += 1000.0;

@@ -69,7 +69,7 @@ std::optional<TriangleMesh> weldedWall(const LungModel& model, Side of) {
     }
   }
   const Welding welding = weld(lobes);
-  if (welding.sharedTriangles == 0 || welding.conflicts > 0) return TriangleMesh{};
+  if (welding.sharedTriangles == 0) return TriangleMesh{};
   return outerSurface(welding.complex);
 }
 
