@@ -94,11 +94,11 @@ function(pneuma_add_module name)
   pneuma_add_headers_alone(${name} HEADERS ${arg_HEADERS} PRECOMPILE ${arg_PRECOMPILE})
 endfunction()
 
-# pneuma_add_test(<name> SOURCES ... LINK ... [LABELS ...] [RENDER] [UNITE])
+# pneuma_add_test(<name> SOURCES ... LINK ... [LABELS ...] [RENDER])
 # One GoogleTest executable; its cases become CTest tests "<name>/Suite.Case".
-# UNITE: see pneuma_unite. RENDER: runs under Xvfb, and is registered only where xvfb-run exists.
+# RENDER: runs under Xvfb, and is registered only where xvfb-run exists.
 function(pneuma_add_test name)
-  cmake_parse_arguments(arg "RENDER;UNITE" "" "SOURCES;LINK;LABELS" ${ARGN})
+  cmake_parse_arguments(arg "RENDER" "" "SOURCES;LINK;LABELS" ${ARGN})
   if(arg_RENDER AND NOT PNEUMA_XVFB_RUN)
     message(STATUS "tests ${name}: not registered, xvfb-run is missing")
     return()
@@ -110,9 +110,6 @@ function(pneuma_add_test name)
                                           GTest::gmock GTest::gtest_main)
   if(arg_LINK MATCHES "pneuma")  # else Eigen is not known to it
     pneuma_precompile(${target} <gmock/gmock.h> <gtest/gtest.h>)
-  endif()
-  if(arg_UNITE)
-    pneuma_unite(${target})
   endif()
   if(arg_RENDER)
     # One process for all cases: starting an X server for each would cost more than the cases.

@@ -21,7 +21,7 @@ const LungModel& grownChest() {
     LungModel model;
     model.surfaces = std::make_shared<const std::vector<LobeSurface>>(sample.lobes);
     model.central = std::make_shared<const AirwayTree>(sample.central);
-    CentroidOptions options;
+    CentroidSplittingOptions options;
     options.terminals = 1000;
     return grow(model, options);
   }();

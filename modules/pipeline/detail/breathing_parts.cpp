@@ -14,6 +14,7 @@ namespace pneuma {
 namespace {
 
 constexpr double RampMm = 30.0;  // over which airways take up the motion of their lobe
+constexpr double SmallestLungMm = 50.0;
 constexpr std::size_t ChunkPoints = 4096;
 
 bool isWhole(Lobe lobe) { return lobe == Lobe::RightLung || lobe == Lobe::LeftLung; }
@@ -103,6 +104,13 @@ std::map<Side, TriangleMesh> wallsOf(const LungModel& model, std::vector<std::st
                                      const Progress& progress) {
   if (!model.surfaces || model.surfaces->empty()) {
     throw InvalidInput("there is no lung to breathe; give the surfaces of its lobes");
+  }
+  Box3 box;
+  for (const LobeSurface& surface : *model.surfaces) box.extend(bounds(*surface.mesh));
+  if (box.sizes().maxCoeff() < SmallestLungMm) {
+    throw InvalidInput("the lungs are " + std::to_string(box.sizes().maxCoeff()) +
+                       " mm long; are they in other units than mm? 'pneuma repair' and 'pneuma "
+                       "export --from-units' change them");
   }
   std::map<Side, TriangleMesh> walls;
   for (const LobeSurface& surface : *model.surfaces) {
