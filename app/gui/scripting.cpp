@@ -167,7 +167,13 @@ QString ScriptPlayer::expanded(QString text) const {
 }
 
 QObject* ScriptPlayer::object(const QString& name) const {
-  if (auto* found = window_.findChild<QObject*>(name)) return found;
+  const QList<QObject*> found = window_.findChildren<QObject*>(name);
+  // Dialogs that were closed may still be there.
+  for (QObject* one : found) {
+    const auto* widget = qobject_cast<QWidget*>(one);
+    if (widget != nullptr && widget->isVisible()) return one;
+  }
+  if (!found.isEmpty()) return found.first();
   fail(QStringLiteral("nothing is called '%1'").arg(name));
 }
 

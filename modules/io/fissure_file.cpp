@@ -1,9 +1,12 @@
 #include "io/fissure_file.h"
 
+#include <utility>
+
 #include "core/error.h"
 #include "io/atomic_file.h"
 #include "io/detail/fissure_formats.h"
 #include "io/detail/text_fields.h"
+#include "io/surface_file.h"
 
 namespace pneuma {
 namespace {
@@ -40,6 +43,10 @@ void requirePointsOnly(const std::filesystem::path& path, const GivenFissures& f
 
 }  // namespace
 
+Vec3 planeNormal(double tiltRad, double turnRad) {
+  return rotated(rotated(Vec3::UnitZ(), Vec3::UnitX(), tiltRad), Vec3::UnitY(), turnRad);
+}
+
 FissureFile readFissureFile(const std::filesystem::path& path) {
   const std::string text = readFile(path, MostBytes);
   const std::string extension = lowerCase(path.extension().string());
@@ -53,6 +60,12 @@ FissureFile readFissureFile(const std::filesystem::path& path) {
   throw Unsupported(quoted(path) +
                     " cannot be read as points of fissures; give .json (pneuma/fissures/1), "
                     ".mrk.json or .fcsv (3D Slicer), or .csv (Chest Imaging Platform)");
+}
+
+FissurePatch readFissurePatch(const std::filesystem::path& path) {
+  SurfaceFile surface = readSurface(path);
+  return {path, std::make_shared<const TriangleMesh>(std::move(surface.mesh)),
+          std::move(surface.notes)};
 }
 
 GivenFissures readFissures(const std::filesystem::path& path) {

@@ -21,6 +21,10 @@ struct FissurePlane {
   Vec3 normal = Vec3::UnitZ();
 };
 
+/// The normal of a plane that lies level, is tilted about the axis to the left, which raises its
+/// back edge, and then turned about the axis to the back, which lowers its left edge.
+Vec3 planeNormal(double tiltRad, double turnRad);
+
 /// A fissure as an equation (Huang 2004, 2.3), LPS, mm: with x, y, z counted from the origin,
 ///   z = c0 + c1 x + c2 y + c3 x^2 + c4 x y + c5 y^2.
 struct FissureEquation {
@@ -68,6 +72,9 @@ struct FissureFile {
 /// out of markups.
 /// @throws InputMissing; InvalidInput naming file and row or entry; Unsupported for another format
 FissureFile readFissureFile(const std::filesystem::path& path);
+
+/// A fissure by a surface. @throws as readSurface()
+FissurePatch readFissurePatch(const std::filesystem::path& path);
 
 /// The same without accessory fissures.
 GivenFissures readFissures(const std::filesystem::path& path);

@@ -13,13 +13,15 @@ class HeightTable {
   /// @param box outside of which nobody asks, LPS, mm
   HeightTable(const HeightSurface& surface, const Box3& box);
 
-  /// True if the point lies below the surface: the sign of HeightSurface::height().
-  bool below(const Vec3& p) const {
+  /// HeightSurface::height() of a point; where it may be zero, by the formula.
+  double height(const Vec3& p) const {
     const Vec2 uv = surface_.planar(p);
     const double h = (p - surface_.centre).dot(surface_.axes[2]) - lift(uv);
-    if (h > SureMm || h < -SureMm) return h < 0.0;
-    return surface_.height(p) < 0.0;
+    return h > SureMm || h < -SureMm ? h : surface_.height(p);
   }
+
+  /// True if the point lies below the surface: the sign of HeightSurface::height().
+  bool below(const Vec3& p) const { return height(p) < 0.0; }
 
  private:
   static constexpr double SureMm = 0.1;

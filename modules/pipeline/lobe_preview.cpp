@@ -2,22 +2,28 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "core/parallel.h"
+#include "lobes/height_table.h"
 #include "pipeline/detail/surface_contour.h"
 
 namespace pneuma {
 namespace {
 
-constexpr std::size_t Block = 4096;  ///< points that a thread takes at once
+constexpr std::size_t Block = 4096;   ///< points that a thread takes at once
+constexpr std::size_t FewKnots = 40;  ///< with more a table is faster than the formula
 
-std::vector<float> heightsOf(const HeightSurface& surface, const std::vector<Vec3>& points) {
+std::vector<float> heightsOf(const HeightSurface& surface, const std::vector<Vec3>& points,
+                             const Box3& box) {
   std::vector<float> heights(points.size());
+  std::optional<HeightTable> table;
+  if (surface.knots.size() > FewKnots) table.emplace(surface, box);
   parallelFor((points.size() + Block - 1) / Block, [&](std::size_t block) {
     const std::size_t end = std::min(points.size(), (block + 1) * Block);
     for (std::size_t i = block * Block; i < end; ++i) {
-      heights[i] = static_cast<float>(surface.height(points[i]));
+      heights[i] = static_cast<float>(table ? table->height(points[i]) : surface.height(points[i]));
     }
   });
   return heights;
@@ -44,9 +50,9 @@ LobePreview::LobePreview(std::shared_ptr<const LungShape> lung, const FissureSur
 void LobePreview::set(Fissure fissure, const HeightSurface& surface) {
   Heights& heights = fissures_[fissure];
   heights.surface = surface;
-  heights.ofPoints =
-      std::make_shared<const std::vector<float>>(heightsOf(surface, lung_->mesh->points));
-  heights.inside = heightsOf(surface, lung_->inside);
+  heights.ofPoints = std::make_shared<const std::vector<float>>(
+      heightsOf(surface, lung_->mesh->points, lung_->extent.bounds));
+  heights.inside = heightsOf(surface, lung_->inside, lung_->extent.bounds);
 }
 
 void LobePreview::shift(Fissure fissure, double byMm) {

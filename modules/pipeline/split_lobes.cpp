@@ -63,16 +63,19 @@ void warnOfShares(LobesOfLungs& result) {
 }
 
 /// What shows of fissures in the model's CT; none without one that can show them.
-std::optional<SheetnessImage> sheetsFor(const LungModel& model, Side of, const LobeInputs& inputs,
-                                        const Progress& progress) {
+std::shared_ptr<const SheetnessImage> sheetsFor(const LungModel& model, Side of,
+                                                const LobeInputs& inputs,
+                                                const Progress& progress) {
   if (inputs.snap) {
     if (!model.ct || !model.labels) {
       throw InvalidInput("fissures can be snapped only in a CT whose lungs were found; give one");
     }
     requireThinSlices(*model.ct);
   }
-  if (!model.ct || !model.labels || !hasThinSlices(*model.ct)) return std::nullopt;
-  return fissureSheets(model, of, progress);
+  if (!model.ct || !model.labels || !hasThinSlices(*model.ct)) return nullptr;
+  const auto known = inputs.sheets.find(of);
+  if (known != inputs.sheets.end()) return known->second;
+  return std::make_shared<const SheetnessImage>(fissureSheets(model, of, progress));
 }
 
 /// Wanted volumes move a fissure along its normal; a sheet moved so would end inside the lung.
@@ -89,7 +92,7 @@ void splitOne(const LungModel& model, const LobeSurface& lung, const LobeInputs&
               const LobeOptions& options, LobesOfLungs& result, const Progress& progress) {
   requireFit(lung);
   const Side of = side(lung.lobe);
-  const std::optional<SheetnessImage> sheets =
+  const std::shared_ptr<const SheetnessImage> sheets =
       sheetsFor(model, of, inputs, progress.part(0.0, 0.2, "looking for fissures"));
   UsedFissures found = fissureSurfaces(*lung.mesh, of, inputs.given, options, result.warnings);
   if (inputs.snap) {

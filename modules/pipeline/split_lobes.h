@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -39,6 +40,8 @@ struct LobeInputs {
   std::vector<AccessoryFissure> accessory;
   std::map<Side, LobeShares> shares;  ///< of lungs whose fissures are moved to wanted volumes
   std::optional<SnapOptions> snap;    ///< onto what shows in the model's CT
+  /// What shows in the model's CT, by fissureSheets(); empty: found when it is needed.
+  std::map<Side, std::shared_ptr<const SheetnessImage>> sheets;
 };
 
 /// The contact of lobes along a fissure, normals from below to above. The lower lobe has two

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include <vtkCellArray.h>
+#include <vtkCellData.h>
 #include <vtkDataObject.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -30,6 +31,7 @@ constexpr const char* HeightsName = "fissureHeights";
 constexpr Rgb SheetColour = rgbOfHex(0xf2f5fa);
 constexpr Rgb CurrentColour = rgbOfHex(0x4aa8ff);
 constexpr Rgb SuspectColour = rgbOfHex(0xf2b544);
+constexpr Rgb MissingColour = rgbOfHex(0xff7033);  ///< like none of the lobes
 constexpr Rgb LightGroundSheet = rgbOfHex(0x4b5565);
 constexpr double SheetOpacity = 0.22;
 constexpr double CurrentSheetOpacity = 0.38;
@@ -61,15 +63,29 @@ Rgb sheetColour(bool current, Background background) {
   return background == Background::Dark ? SheetColour : LightGroundSheet;
 }
 
+/// What shows in the sheet's colour, what does not in another.
+void colourCells(vtkPolyData& data, const std::vector<std::uint8_t>& shows, const Rgb& shown) {
+  vtkNew<vtkUnsignedCharArray> colours;
+  colours->SetNumberOfComponents(3);
+  colours->Allocate(3 * static_cast<vtkIdType>(shows.size()));
+  for (const std::uint8_t there : shows) {
+    colours->InsertNextTypedTuple(bytesOf(there != 0 ? shown : MissingColour).data());
+  }
+  data.GetCellData()->SetScalars(colours);
+}
+
 vtkSmartPointer<vtkActor> patchActor(const FissureScene::Sheet& sheet, Background background) {
   vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputData(polyDataOf(*sheet.patch));
-  mapper->ScalarVisibilityOff();
+  const auto data = polyDataOf(*sheet.patch);
+  const Rgb colour = sheetColour(sheet.current, background);
+  if (sheet.shows) colourCells(*data, *sheet.shows, colour);
+  mapper->SetInputData(data);
+  mapper->SetScalarVisibility(sheet.shows ? 1 : 0);
+  mapper->SetScalarModeToUseCellData();
   auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(mapper);
   actor->PickableOff();
   actor->ForceTranslucentOn();
-  const Rgb colour = sheetColour(sheet.current, background);
   vtkProperty* property = actor->GetProperty();
   property->SetColor(colour.r, colour.g, colour.b);
   property->SetOpacity(sheet.current ? CurrentSheetOpacity : SheetOpacity);

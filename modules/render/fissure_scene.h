@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <vector>
@@ -38,6 +39,8 @@ struct FissureScene {
     bool proposed = false;                                      ///< nobody set it: dashed
     bool current = false;
     bool visible = true;
+    std::shared_ptr<const std::vector<std::uint8_t>> shows;  ///< of the patch's triangles: 0 where
+                                                             ///< the CT shows no fissure; or null
 
     bool operator==(const Sheet&) const = default;
   };
@@ -54,6 +57,7 @@ struct SliceFissures {
     std::function<double(const Vec3&)> heightMm;  ///< of a point over it, negative below
     bool proposed = false;
     bool current = false;
+    std::function<bool(const Vec3&)> shows;  ///< false where the CT shows no fissure; may be empty
   };
 
   /// Of a side all or none; the horizontal one is drawn above the oblique one alone.

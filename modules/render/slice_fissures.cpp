@@ -16,11 +16,13 @@ constexpr double LinePixels = 1.6;
 constexpr double CurrentLinePixels = 2.4;
 constexpr int DashPixels = 9;
 constexpr int GapPixels = 6;
+constexpr int DotPixels = 3;        ///< where no fissure shows, and as much between
 constexpr double MarkRadius = 4.5;  // logical pixels
 constexpr Rgb LineColour = rgbOfHex(0xffffff);
 constexpr Rgb MarkColour = rgbOfHex(0xffffff);
 constexpr Rgb CurrentColour = rgbOfHex(0x4aa8ff);
 constexpr Rgb SuspectColour = rgbOfHex(0xf2b544);
+constexpr Rgb MissingColour = rgbOfHex(0xff7033);  ///< like none of the lobes
 
 Fissure obliqueOf(Side side) {
   return side == Side::Right ? Fissure::RightOblique : Fissure::LeftOblique;
@@ -92,6 +94,7 @@ void FissureOverlay::drawLines(Picture& picture, const std::vector<std::uint8_t>
                                double pixelRatio) const {
   const auto dash = static_cast<int>(std::lround(DashPixels * pixelRatio));
   const auto period = dash + static_cast<int>(std::lround(GapPixels * pixelRatio));
+  const auto dot = std::max(1, static_cast<int>(std::lround(DotPixels * pixelRatio)));
   for (const Heights& heights : heights_) {
     const SliceFissures::Line& line = *heights.line;
     const Side of = side(line.fissure);
@@ -114,9 +117,11 @@ void FissureOverlay::drawLines(Picture& picture, const std::vector<std::uint8_t>
         if (share == 0.0) continue;
         if (oblique != nullptr && at(*oblique, x, y) < 0.0F) continue;
         const int along = std::abs(across) > std::abs(down) ? y : x;
-        if (line.proposed && along % period >= dash) continue;
-        setPixel(picture, x, y,
-                 mixed(pixel(picture, x, y), line.current ? CurrentColour : LineColour, share));
+        const bool shows = !line.shows || line.shows(frame_.pointAt({x + 0.5, y + 0.5}));
+        if (shows && line.proposed && along % period >= dash) continue;
+        if (!shows && along % (2 * dot) >= dot) continue;
+        const Rgb colour = !shows ? MissingColour : line.current ? CurrentColour : LineColour;
+        setPixel(picture, x, y, mixed(pixel(picture, x, y), colour, share));
       }
     });
   }

@@ -8,7 +8,9 @@
 
 #include "document/lobes_sheet.h"
 #include "io/surface_file.h"
+#include "io/volume_file.h"
 #include "render/generated_lungs.h"
+#include "render/slice_picture.h"
 
 namespace pneuma {
 namespace {
@@ -192,6 +194,38 @@ TEST_F(FissureEditorTest, OtherLungsBeginWithProposalsAgain) {
   EXPECT_TRUE(editor.marks().empty());
   document.undo();
   EXPECT_EQ(editor.marks().size(), 4U);
+}
+
+TEST_F(FissureEditorTest, SurfacesTellTheSlicesOfACtWithoutLabelsWhereTheLungsAre) {
+  openLungs();
+  EXPECT_EQ(document.snapshot().lungLabels, nullptr);
+  CtImage ct;
+  ct.geometry.size = {40, 30, 40};
+  ct.geometry.spacing = Vec3::Constant(8.0);
+  ct.geometry.origin = Vec3(-160.0, -120.0, -160.0);
+  ct.voxels.assign(ct.geometry.voxelCount(), -1000);
+  for (int i = 5; i < 35; ++i) {
+    for (int j = 5; j < 25; ++j) {
+      for (int k = 0; k < 40; ++k) ct.at(i, j, k) = 40;
+    }
+  }
+  const auto file = std::filesystem::path(folder.path().toStdString()) / "ct.nii.gz";
+  writeVolume(file, ct);
+  document.open({file});
+  ASSERT_TRUE(idle());  // nothing but flesh: no lungs are found in it
+  ASSERT_NE(document.model().ct, nullptr) << failed.at(0).at(1).toString().toStdString();
+  EXPECT_FALSE(editor.available());
+  document.open(
+      {folder.path().toStdString() + "/right.stl", folder.path().toStdString() + "/left.stl"});
+  ASSERT_TRUE(idle());
+  ASSERT_NE(document.model().ct, nullptr);
+  ASSERT_EQ(document.model().labels, nullptr);
+  ASSERT_TRUE(editor.available());
+  const auto labels = document.snapshot().lungLabels;
+  ASSERT_NE(labels, nullptr);
+  EXPECT_EQ(labelAt(*labels, {75.0, 0.0, 0.0}), static_cast<std::uint8_t>(Lobe::LeftLung));
+  EXPECT_EQ(labelAt(*labels, {-75.0, 0.0, 0.0}), static_cast<std::uint8_t>(Lobe::RightLung));
+  EXPECT_EQ(labelAt(*labels, {0.0, 0.0, 0.0}), std::uint8_t{0});
 }
 
 TEST_F(FissureEditorTest, ATreeIsOutOfDateOnceTheLobesAreOthers) {

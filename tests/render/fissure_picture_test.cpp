@@ -37,8 +37,12 @@ LabelImage halfALung() {
 SliceFissures twoFissures() {
   SliceFissures fissures;
   fissures.lines = {
-      {Fissure::RightOblique, [](const Vec3& p) { return (p.z() - p.y()) * std::sqrt(0.5); }},
-      {Fissure::RightHorizontal, [](const Vec3& p) { return p.z() - 10.0; }}};
+      {Fissure::RightOblique,
+       [](const Vec3& p) { return (p.z() - p.y()) * std::sqrt(0.5); },
+       false,
+       false,
+       {}},
+      {Fissure::RightHorizontal, [](const Vec3& p) { return p.z() - 10.0; }, false, false, {}}};
   return fissures;
 }
 
@@ -89,6 +93,21 @@ TEST_F(FissuresInSlices, ProposalsAreDashed) {
   fissures_.lines[1].proposed = true;
   EXPECT_GT(gaps(), 8);
   EXPECT_LT(gaps(), 32);
+}
+
+TEST_F(FissuresInSlices, PartsThatDoNotShowAreDottedInAnotherColour) {
+  const Rgb missing = rgbOfHex(0xff7033);
+  const auto count = [&](double from, double to, const Rgb& colour) {
+    int hits = 0;
+    for (double y = from; y < to; y += 1.0)
+      hits += away(at({-25.0, y, 10.0}), colour) < 0.3 ? 1 : 0;
+    return hits;
+  };
+  fissures_.lines[1].shows = [](const Vec3& p) { return p.y() < -20.0; };
+  EXPECT_EQ(count(-40.0, -22.0, White), 18);
+  EXPECT_EQ(count(-18.0, 0.0, White), 0);
+  EXPECT_GT(count(-18.0, 0.0, missing), 4);
+  EXPECT_LT(count(-18.0, 0.0, missing), 14);  // there are gaps
 }
 
 TEST_F(FissuresInSlices, MarksAreDrawnNearTheirSliceAlone) {

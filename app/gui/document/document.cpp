@@ -94,10 +94,12 @@ Document::Document(QObject* parent) : QObject(parent) {
   for (const GrowthMethod& method : growthMethods()) optionsOf_.push_back(method.defaults);
   connect(&jobs_, &JobQueue::failed, this, &Document::fail);
   connect(&jobs_, &JobQueue::cancelled, this, [this](const QString& title) {
+    if (std::exchange(superseded_, false)) return;
     emit said(tr("%1: stopped, nothing was changed").arg(title));
   });
-  connect(&jobs_, &JobQueue::busyChanged, this,
-          [this](bool busy) { splitting_ = splitting_ && busy; });
+  connect(&jobs_, &JobQueue::busyChanged, this, [this](bool busy) {
+    if (!busy) lobeJob_ = LobeJob::None;
+  });
   // Whether something can be undone depends on the queue being idle.
   connect(&jobs_, &JobQueue::busyChanged, this, &Document::changed);
 }
@@ -254,6 +256,7 @@ void Document::undo() {
   redo_.push_back({step.name, std::exchange(snapshot_, std::move(step.snapshot))});
   emit said(tr("Undone: %1").arg(step.name));
   emit changed();
+  if (!snapshot_.model.lobes) follow();
 }
 
 void Document::redo() {
@@ -263,6 +266,7 @@ void Document::redo() {
   undo_.push_back({step.name, std::exchange(snapshot_, std::move(step.snapshot))});
   emit said(tr("Redone: %1").arg(step.name));
   emit changed();
+  if (!snapshot_.model.lobes) follow();
 }
 
 }  // namespace pneuma

@@ -3,6 +3,7 @@
 #include <QObject>
 #include <QString>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -58,7 +59,16 @@ class Document : public QObject {
   bool canSplit() const { return !snapshot_.lungs.empty(); }
 
   /// True while the lungs are being split.
-  bool splitting() const { return splitting_; }
+  bool splitting() const { return lobeJob_ == LobeJob::Splitting; }
+
+  /// True while fissures are looked for in the CT.
+  bool lookingForFissures() const { return lobeJob_ == LobeJob::Looking; }
+
+  /// Why fissures cannot be snapped to what shows in the CT; empty if they can.
+  QString snapObstacle() const;
+
+  /// What shows of fissures in one lung of the CT; null until it was looked for.
+  std::shared_ptr<const SheetnessImage> sheets(Side side) const;
 
   /// True if the lobes shown were made with other fissures than those set now.
   bool lobesOutOfDate() const;
@@ -85,6 +95,27 @@ class Document : public QObject {
   /// Not while another job runs.
   /// @param what was done, for example "set a point"
   void setLobeEdits(const LobeEdits& edits, const QString& what);
+
+  /// Snaps fissures to what shows in the CT, or no longer. What shows is looked for first, once;
+  /// wanted volumes are given up. Can be undone.
+  void setSnapping(bool on);
+
+  /// Reads fissures as `pneuma lobes --fissures` does; those that the file does not have are
+  /// proposed again. Can be undone.
+  void openFissures(const std::filesystem::path& path);
+
+  /// Reads the surface of one fissure. Can be undone.
+  void openFissureSurface(Fissure fissure, const std::filesystem::path& path);
+
+  /// Writes the fissures that were set, by the extension as writeFissures().
+  void saveFissures(const std::filesystem::path& path);
+
+  /// Says that fissures were looked at as they are. Can be undone.
+  /// @param skipped their stations were not
+  void setReviewed(const std::vector<Fissure>& fissures, bool skipped);
+
+  /// True if the fissure is still as it was when somebody looked at it.
+  bool reviewed(Fissure fissure) const;
 
   /// Splits the whole lungs into lobes, to grow in. Can be undone.
   void splitLobes();
@@ -134,6 +165,9 @@ class Document : public QObject {
   void failed(const QString& title, const QString& sentence);
 
  private:
+  /// What the jobs do for the fissures; None if something else runs, or nothing.
+  enum class LobeJob { None, Looking, Tracing, Splitting };
+
   struct Step {
     QString name;
     Snapshot snapshot;
@@ -142,13 +176,25 @@ class Document : public QObject {
   void become(Snapshot next, const QString& stepName);
   /// @param stepName of the undo step; none for a part of the last one
   void split(const QString& stepName);
+  /// Makes edits the ones to split with, and what follows them.
+  void take(const LobeEdits& edits, const QString& what);
+  /// What follows the edits: the lobes, or how the fissures lie in the CT.
+  void follow();
+  void trace();
+  /// Looks for fissures in the CT. @param then what to do once they are known
+  void look(std::function<void()> then);
+  /// False, and says so, if fissures cannot be edited because of another job.
+  bool mayEdit();
+  bool sheetsKnown() const;
   void fail(const QString& title, const QString& sentence);
 
   Snapshot snapshot_;
   std::vector<GrowthOptions> optionsOf_;  ///< of every method, in the order of growthMethods()
   std::size_t method_ = 0;
   LungOptions lungOptions_;
-  bool splitting_ = false;
+  LobeJob lobeJob_ = LobeJob::None;
+  bool superseded_ = false;  ///< the job that is cancelled makes way for the next
+  CtSheets sheets_;
   std::vector<Step> undo_;
   std::vector<Step> redo_;
   std::shared_ptr<const AirwayTree> saved_;     ///< the tree that was saved last

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 #include <span>
 #include <utility>
@@ -17,6 +16,8 @@ namespace {
 
 constexpr double PatchSpacingMm = 8.0;  ///< of a patch that only tells where the fissure is
 constexpr double ShareTolerance = 1e-3;
+constexpr double HandlesShare = 0.7;  ///< of the plane's scale
+constexpr double FarthestExtendMm = 15.0;
 
 /// As the window lists them.
 constexpr std::array<Fissure, 3> Order = {Fissure::LeftOblique, Fissure::RightOblique,
@@ -28,12 +29,19 @@ bool valid(const LobeShares& shares) {
          std::ranges::all_of(shares, [](double share) { return share > 0.0; });
 }
 
-/// Only what there is of one fissure.
-LobeEdits only(const LobeEdits& edits, Fissure fissure) {
-  LobeEdits one;
-  const auto found = edits.fissures.find(fissure);
-  if (found != edits.fissures.end()) one.fissures.insert(*found);
-  return one;
+/// What is given of one fissure, and of the one that a surface from a file ends at.
+GivenFissures givenFor(Fissure fissure, const LobeEdits& edits) {
+  GivenFissures given = inputsOf(concerning(edits, fissure)).given;
+  const auto own = given.find(fissure);
+  const bool byPatch = own != given.end() && own->second.patch;
+  if (byPatch && fissure == Fissure::RightHorizontal) {
+    given.merge(inputsOf(concerning(edits, Fissure::RightOblique)).given);
+  }
+  return given;
+}
+
+bool same(const HeightSurface& a, const HeightSurface& b) {
+  return a.centre == b.centre && a.quadratic == b.quadratic && a.weights == b.weights;
 }
 
 }  // namespace
@@ -79,6 +87,31 @@ const FissureEdit& FissureEditor::edit(Fissure fissure) const {
   return found == draft_.fissures.end() ? none : found->second;
 }
 
+std::vector<Vec3> FissureEditor::points(Fissure fissure) const {
+  const std::vector<Vec3>& set = edit(fissure).points;
+  const auto found = used_.find(fissure);
+  const bool known = found != used_.end() && found->second.points.size() == set.size();
+  return known ? found->second.points : set;
+}
+
+const TracedFissure* FissureEditor::traced(Fissure fissure) const {
+  const auto found = used_.find(fissure);
+  if (found == used_.end() || !found->second.from) return nullptr;
+  return &found->second.from->fissures.at(fissure);
+}
+
+std::shared_ptr<const ShownParts> FissureEditor::shownParts(Fissure fissure) const {
+  const auto found = used_.find(fissure);
+  if (found == used_.end() || !found->second.from) return nullptr;
+  const auto parts = found->second.from->parts.find(fissure);
+  return parts == found->second.from->parts.end() ? nullptr : parts->second;
+}
+
+bool FissureEditor::canExtend(Fissure fissure) const {
+  const auto found = used_.find(fissure);
+  return found != used_.end() && found->second.canExtend;
+}
+
 QString FissureEditor::problem(Fissure fissure) const {
   const auto found = used_.find(fissure);
   return found == used_.end() ? QString() : found->second.problem;
@@ -105,7 +138,8 @@ std::map<Lobe, double> FissureEditor::volumesMm3() const {
 std::vector<FissureEditor::Mark> FissureEditor::marks() const {
   std::vector<Mark> marks;
   const auto add = [&](Fissure fissure) {
-    const std::vector<Vec3> places = marksOf(edit(fissure));
+    const bool byPoints = edit(fissure).method == FissureMethod::Points;
+    const std::vector<Vec3> places = byPoints ? points(fissure) : marksOf(edit(fissure));
     for (std::size_t i = 0; i < places.size(); ++i) marks.push_back({fissure, i, places[i]});
   };
   for (const Fissure fissure : fissures()) {
@@ -140,13 +174,16 @@ void FissureEditor::setMethod(Fissure fissure, FissureMethod method) {
   }
   edit.method = method;
   if (method == FissureMethod::Plane && !edit.handles) edit.handles = firstHandles(fissure);
-  commit(edits, method == FissureMethod::Plane ? tr("take a plane") : tr("take points"));
+  commit(edits, method == FissureMethod::Plane     ? tr("take a plane")
+                : method == FissureMethod::Surface ? tr("take a surface")
+                                                   : tr("take points"));
 }
 
 void FissureEditor::addPoint(const Vec3& point) {
   if (edit(current_).method != FissureMethod::Points || !available()) return;
   LobeEdits edits = document_.snapshot().lobeEdits;
   edits.fissures[current_].points.push_back(point);
+  edits.fissures[current_].weights.push_back(UsualWeight);
   commit(edits, tr("set a point"));
 }
 
@@ -155,6 +192,7 @@ void FissureEditor::removePoint(Fissure fissure, std::size_t index) {
   FissureEdit& edit = edits.fissures[fissure];
   if (edit.method != FissureMethod::Points || index >= edit.points.size()) return;
   edit.points.erase(edit.points.begin() + static_cast<std::ptrdiff_t>(index));
+  edit.weights.erase(edit.weights.begin() + static_cast<std::ptrdiff_t>(index));
   commit(edits, tr("delete a point"));
 }
 
@@ -169,9 +207,32 @@ void FissureEditor::clear() {
   commit(edits, tr("go back to the proposal"));
 }
 
+void FissureEditor::setWeight(Fissure fissure, std::size_t index, double weight) {
+  LobeEdits edits = document_.snapshot().lobeEdits;
+  FissureEdit& edit = edits.fissures[fissure];
+  if (index >= edit.weights.size()) return;
+  edit.weights[index] = weight;
+  commit(edits, tr("weigh a point"));
+}
+
+void FissureEditor::setAngles(Fissure fissure, const PlaneAngles& angles) {
+  LobeEdits edits = document_.snapshot().lobeEdits;
+  FissureEdit& edit = edits.fissures[fissure];
+  if (!edit.handles) return;
+  edit.handles = turnedTo(angles, *edit.handles);
+  commit(edits, tr("turn a plane"));
+}
+
+void FissureEditor::extendSurfaces() {
+  LobeEdits edits = document_.snapshot().lobeEdits;
+  edits.options.extendMm = FarthestExtendMm;
+  commit(edits, tr("extend a surface"));
+}
+
 void FissureEditor::setShares(const std::map<Side, LobeShares>& shares) {
   LobeEdits edits = document_.snapshot().lobeEdits;
   edits.shares = shares;
+  if (!shares.empty()) edits.snap = false;  // they move the fissures off what shows
   commit(edits, tr("want volumes"));
 }
 
@@ -238,11 +299,14 @@ void FissureEditor::begin() {
 }
 
 void FissureEditor::update(const LobeEdits& edits) {
-  const bool all = !(edits.options == draft_.options) || edits.shares != draft_.shares;
   const LobeEdits before = std::exchange(draft_, edits);
+  const auto& traces = document_.snapshot().traces;
+  const bool traced = traces && traces->edits == edits;
   for (LobePreview& preview : previews_) {
     for (const Fissure fissure : fissuresOf(preview.side())) {
-      if (all || !(only(before, fissure) == only(edits, fissure))) {
+      if (traced && traces->fissures.contains(fissure)) {
+        adopt(fissure, preview, traces);
+      } else if (isOther(fissure, before, edits)) {
         workOut(fissure, preview, edits);
       }
     }
@@ -251,17 +315,69 @@ void FissureEditor::update(const LobeEdits& edits) {
   emit changed();
 }
 
+bool FissureEditor::isOther(Fissure fissure, const LobeEdits& before, const LobeEdits& now) const {
+  const LobeEdits old = concerning(before, fissure);
+  const LobeEdits own = concerning(now, fissure);
+  if (old == own) return false;
+  if (old.fissures != own.fissures || old.shares != own.shares || old.snap != own.snap) return true;
+  // By the options alone: those do not matter to what shows in the CT, and little to a file.
+  const FissureEdit& set = edit(fissure);
+  if (set.method == FissureMethod::Surface) return old.options.extendMm != own.options.extendMm;
+  return !own.snap ||
+         (set.method == FissureMethod::Points && set.points.size() >= LeastFissurePoints);
+}
+
+void FissureEditor::adopt(Fissure fissure, LobePreview& preview,
+                          const std::shared_ptr<const FissureTraces>& traces) {
+  Used& used = used_[fissure];
+  if (used.from == traces) return;
+  const TracedFissure& traced = traces->fissures.at(fissure);
+  used = {traced.used, traced.points, {}, false, traces};
+  if (!same(preview.surface(fissure), traced.used.surface)) {
+    preview.set(fissure, traced.used.surface);
+  }
+}
+
+UsedFissure FissureEditor::surfaceOf(Fissure fissure, const LobePreview& preview,
+                                     const LobeOptions& options, GivenFissures& given) const {
+  std::vector<std::string> ignored;  // the list of points shows which of them stand out
+  const LungExtent& extent = preview.lung().extent;
+  UsedFissure used = fissureSurfaces(extent, preview.side(), given, options, ignored).at(fissure);
+  const auto own = given.find(fissure);
+  const auto sheets = document_.sheets(preview.side());
+  if (!draft_.snap || !sheets || own == given.end() || own->second.points.empty()) return used;
+  own->second.points = snapPoints(*sheets, used.surface, own->second.points).points;
+  return fissureSurfaces(extent, preview.side(), given, options, ignored).at(fissure);
+}
+
 void FissureEditor::workOut(Fissure fissure, LobePreview& preview, const LobeEdits& edits) {
   Used& used = used_[fissure];
-  std::vector<std::string> ignored;  // the list of points shows which of them stand out
+  used.from = nullptr;
+  used.points.clear();
+  used.canExtend = false;
   try {
-    used.fissure = fissureSurfaces(preview.lung().extent, preview.side(),
-                                   inputsOf(only(edits, fissure)).given, edits.options, ignored)
-                       .at(fissure);
+    GivenFissures given = givenFor(fissure, edits);
+    used.fissure = surfaceOf(fissure, preview, edits.options, given);
+    const auto own = given.find(fissure);
+    if (own != given.end()) used.points = own->second.points;
     used.problem.clear();
     preview.set(fissure, used.fissure.surface);
   } catch (const InvalidInput& error) {
     used.problem = qtText(error.what());
+    used.canExtend = wouldReach(fissure, preview, edits);
+  }
+}
+
+bool FissureEditor::wouldReach(Fissure fissure, const LobePreview& preview, LobeEdits edits) const {
+  if (edit(fissure).method != FissureMethod::Surface) return false;
+  if (edits.options.extendMm >= FarthestExtendMm) return false;
+  edits.options.extendMm = FarthestExtendMm;
+  try {
+    GivenFissures given = givenFor(fissure, edits);
+    surfaceOf(fissure, preview, edits.options, given);
+    return true;
+  } catch (const InvalidInput&) {
+    return false;
   }
 }
 
@@ -285,18 +401,10 @@ std::array<Vec3, 3> FissureEditor::firstHandles(Fissure fissure) const {
     const Vec3 middle = lung.lung().extent.bounds.center();
     return {middle, middle + Vec3(20.0, 0.0, 0.0), middle + Vec3(0.0, 20.0, 20.0)};
   }
-  // A third of a circle from one another, about as far out as most of the fissure.
+  // About as far out as most of the fissure.
   const BestPlane plane =
       bestPlane(std::span(patch.points).first(std::min(patch.points.size(), MostFissurePoints)));
-  std::array<Vec3, 3> handles;
-  for (std::size_t i = 0; i < handles.size(); ++i) {
-    const double angle =
-        2.0 * std::numbers::pi * static_cast<double>(i) / 3.0 + std::numbers::pi / 2.0;
-    handles[i] =
-        plane.centre +
-        0.7 * plane.scale * (std::cos(angle) * plane.axes[0] + std::sin(angle) * plane.axes[1]);
-  }
-  return handles;
+  return handlesAround(plane.centre, plane.axes[0], plane.axes[1], HandlesShare * plane.scale);
 }
 
 }  // namespace pneuma

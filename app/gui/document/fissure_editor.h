@@ -53,6 +53,18 @@ class FissureEditor : public QObject {
   /// @pre the fissure is one of fissures()
   const UsedFissure& used(Fissure fissure) const { return used_.at(fissure).fissure; }
 
+  /// Points of a fissure where they lie: drawn onto what shows in the CT while that is wanted.
+  std::vector<Vec3> points(Fissure fissure) const;
+
+  /// How the fissure lies in the CT; null while it moves, and where nothing was looked for.
+  const TracedFissure* traced(Fissure fissure) const;
+
+  /// Where it shows; null where traced() does not know.
+  std::shared_ptr<const ShownParts> shownParts(Fissure fissure) const;
+
+  /// True if the surface of a file would reach the lung's wall if it were extended.
+  bool canExtend(Fissure fissure) const;
+
   /// Why what was set gives no fissure; empty if it does.
   QString problem(Fissure fissure) const;
 
@@ -74,11 +86,19 @@ class FissureEditor : public QObject {
   /// @param normal the axis across the slice
   std::optional<Mark> markAt(const Vec3& point, int normal, double reachMm) const;
 
+  /// @pre for a surface one was read
   void setMethod(Fissure fissure, FissureMethod method);
   void addPoint(const Vec3& point);
   void removePoint(Fissure fissure, std::size_t index);
   void removeLast();
   void clear();
+  /// How much a point counts beside the others. @param weight positive
+  void setWeight(Fissure fissure, std::size_t index, double weight);
+  /// @pre the fissure is a plane
+  void setAngles(Fissure fissure, const PlaneAngles& angles);
+  /// Lets surfaces of files go on to the lung's wall, as far as may be.
+  void extendSurfaces();
+  /// Wanted volumes; snapping ends, which would undo them.
   void setShares(const std::map<Side, LobeShares>& shares);
 
   /// Shows a mark elsewhere, or another smoothness, until release() makes it an edit.
@@ -96,13 +116,25 @@ class FissureEditor : public QObject {
  private:
   struct Used {
     UsedFissure fissure;
+    std::vector<Vec3> points;  ///< where they lie
     QString problem;
+    bool canExtend = false;
+    std::shared_ptr<const FissureTraces> from;  ///< null: worked out here, while things move
   };
 
   void follow();
   void begin();
   void update(const LobeEdits& edits);
+  /// The fissure as the document found that it lies.
+  void adopt(Fissure fissure, LobePreview& preview,
+             const std::shared_ptr<const FissureTraces>& traces);
+  /// The fissure as near as it can be told at once.
   void workOut(Fissure fissure, LobePreview& preview, const LobeEdits& edits);
+  /// True if the fissure has to be worked out anew.
+  bool isOther(Fissure fissure, const LobeEdits& before, const LobeEdits& now) const;
+  bool wouldReach(Fissure fissure, const LobePreview& preview, LobeEdits edits) const;
+  UsedFissure surfaceOf(Fissure fissure, const LobePreview& preview, const LobeOptions& options,
+                        GivenFissures& given) const;
   void moveToShares(LobePreview& preview, const LobeEdits& edits);
   void commit(const LobeEdits& edits, const QString& what);
   std::array<Vec3, 3> firstHandles(Fissure fissure) const;

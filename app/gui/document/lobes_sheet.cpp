@@ -111,7 +111,8 @@ QString fissureLine(const FissureEditor& editor, Fissure fissure) {
       if (editor.edit(fissure).method == FissureMethod::Points && set > 0) {
         return QStringLiteral("Proposal; %1 of 3 points set").arg(set);
       }
-      return QStringLiteral("Proposed by the lung's shape");
+      return used.surface.knots.empty() ? QStringLiteral("Proposed by the lung's shape")
+                                        : QStringLiteral("Found in the CT near the proposal");
     case FissureSource::Plane:
       return QStringLiteral("Plane through three handles");
     case FissureSource::Equation:
@@ -124,15 +125,46 @@ QString fissureLine(const FissureEditor& editor, Fissure fissure) {
       const QString text =
           QStringLiteral("%1, mean %2")
               .arg(counted(used.points, "point", "points"), withUnit(used.meanMm, 1, "mm"));
-      return used.source == FissureSource::BentProposal ? QStringLiteral("Proposal bent: ") + text
-                                                        : text;
+      return used.source == FissureSource::BentProposal ? QStringLiteral("Bent: ") + text : text;
     }
   }
 }
 
+QString fissureBrief(const FissureEditor& editor, Fissure fissure) {
+  if (!editor.problem(fissure).isEmpty()) return QStringLiteral("! look");
+  const UsedFissure& used = editor.used(fissure);
+  QString brief;
+  switch (used.source) {
+    case FissureSource::Proposal:
+      brief = used.surface.knots.empty() ? QStringLiteral("proposed") : QStringLiteral("found");
+      break;
+    case FissureSource::Plane:
+      brief = QStringLiteral("plane");
+      break;
+    case FissureSource::Equation:
+      brief = QStringLiteral("equation");
+      break;
+    case FissureSource::Surface:
+      brief = QStringLiteral("surface");
+      break;
+    default:
+      brief = counted(used.points, "point", "points");
+  }
+  const TracedFissure* traced = editor.traced(fissure);
+  if (traced == nullptr || !traced->complete) return brief;
+  return brief + QStringLiteral("  ") + withUnit(100.0 * traced->complete->share, 0, "%");
+}
+
+QString fissureShows(const FissureEditor& editor, Fissure fissure) {
+  const TracedFissure* traced = editor.traced(fissure);
+  if (traced == nullptr || !traced->complete) return {};
+  return QStringLiteral("%1 of it shows in the CT")
+      .arg(withUnit(100.0 * traced->complete->share, 0, "%"));
+}
+
 std::vector<QString> fissurePointLines(const FissureEditor& editor, Fissure fissure) {
   std::vector<QString> lines;
-  const std::vector<Vec3>& points = editor.edit(fissure).points;
+  const std::vector<Vec3> points = editor.points(fissure);
   const UsedFissure& used = editor.used(fissure);
   const std::vector<std::size_t> standOut = suspects(used);
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -145,6 +177,8 @@ std::vector<QString> fissurePointLines(const FissureEditor& editor, Fissure fiss
     if (i < used.leftOutMm.size()) {
       line += QStringLiteral("   %1 mm").arg(used.leftOutMm[i], 0, 'f', 1);
     }
+    const double weight = editor.edit(fissure).weights[i];
+    if (weight != UsualWeight) line += QStringLiteral("   x%1").arg(weight);
     if (std::ranges::find(standOut, i) != standOut.end()) line += QStringLiteral("  ! look");
     lines.push_back(line);
   }

@@ -4,6 +4,7 @@
 
 #include "core/error.h"
 #include "document/text.h"
+#include "pipeline/lobe_labels.h"
 #include "pipeline/lobes_model.h"
 
 namespace pneuma {
@@ -28,6 +29,19 @@ std::vector<std::shared_ptr<const LungShape>> lungsOf(const LungModel& model) {
   return lungs;
 }
 
+/// In slices of a CT whose lungs were not found the surfaces tell where they are.
+std::shared_ptr<const LabelImage> labelsOf(const LungModel& model) {
+  const auto surfaces = wholeLungsOf(model);
+  if (!model.ct || model.labels || !surfaces) return nullptr;
+  LungModel whole;
+  whole.surfaces = surfaces;
+  try {
+    return std::make_shared<const LabelImage>(lungLabels(whole));
+  } catch (const InvalidInput&) {
+    return nullptr;  // far too large: nothing is drawn
+  }
+}
+
 void addFigures(Snapshot& snapshot) {
   const auto tree = treeOf(snapshot.model);
   snapshot.figures = tree ? std::make_shared<const TreeFigures>(treeFigures(*tree)) : nullptr;
@@ -39,6 +53,7 @@ Snapshot snapshotOf(LungModel model, const QString& name) {
   Snapshot snapshot{std::move(model), nullptr, name};
   addFigures(snapshot);
   snapshot.lungs = lungsOf(snapshot.model);
+  snapshot.lungLabels = labelsOf(snapshot.model);
   return snapshot;
 }
 
@@ -47,9 +62,14 @@ Snapshot nextSnapshot(const Snapshot& before, LungModel model) {
   next.model = std::move(model);
   if (treeOf(next.model) != treeOf(before.model)) addFigures(next);
   if (next.model.growth != before.model.growth) next.grownIn = next.model.surfaces;
-  if (wholeLungsOf(next.model) == wholeLungsOf(before.model)) return next;
+  const bool sameLungs = wholeLungsOf(next.model) == wholeLungsOf(before.model);
+  const bool sameCt = next.model.ct == before.model.ct && next.model.labels == before.model.labels;
+  if (!sameLungs || !sameCt) next.lungLabels = labelsOf(next.model);
+  if (sameLungs) return next;
   next.lungs = lungsOf(next.model);
   next.lobeEdits = next.splitEdits = {};
+  next.traces = nullptr;
+  next.reviews.clear();
   return next;
 }
 

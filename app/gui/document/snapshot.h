@@ -1,15 +1,25 @@
 #pragma once
 
 #include <QString>
+#include <map>
 #include <memory>
 #include <vector>
 
+#include "document/fissure_traces.h"
 #include "document/lobe_edits.h"
 #include "document/tree_figures.h"
 #include "pipeline/lung_model.h"
 #include "pipeline/lung_shape.h"
 
 namespace pneuma {
+
+/// That somebody looked at a fissure as it was then.
+struct FissureReview {
+  LobeEdits edits;       ///< what was looked at
+  bool skipped = false;  ///< accepted without looking at its stations
+
+  bool operator==(const FissureReview&) const = default;
+};
 
 /// Everything the window shows at one moment. A copy costs a few pointers, so undo keeps whole
 /// ones.
@@ -18,9 +28,12 @@ struct Snapshot {
   std::shared_ptr<const TreeFigures> figures;  ///< of treeOf(model); null if there is no tree
   QString name;                                ///< file names only, never folders
   LungOptions lungOptions{};                   ///< with which model.lungs were found
-  std::vector<std::shared_ptr<const LungShape>> lungs{};      ///< whole ones, fit to be split
-  LobeEdits lobeEdits{};                                      ///< for the next split
-  LobeEdits splitEdits{};                                     ///< with which model.lobes were made
+  std::vector<std::shared_ptr<const LungShape>> lungs{};  ///< whole ones, fit to be split
+  std::shared_ptr<const LabelImage> lungLabels{};         ///< of `lungs`, where a CT has no labels
+  LobeEdits lobeEdits{};                                  ///< for the next split
+  LobeEdits splitEdits{};                                 ///< with which model.lobes were made
+  std::shared_ptr<const FissureTraces> traces{};  ///< of edits that may be older; null: none yet
+  std::map<Fissure, FissureReview> reviews{};
   std::shared_ptr<const std::vector<LobeSurface>> grownIn{};  ///< the surfaces of model.growth
 };
 

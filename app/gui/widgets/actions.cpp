@@ -25,6 +25,37 @@ QAction* action(QWidget* window, const char* name, const QString& text,
 
 QKeySequence keys(const char* text) { return QKeySequence(QString::fromUtf8(text)); }
 
+/// An action that the slice views alone answer: P in the 3-D view looks from behind.
+QAction* inSlices(QWidget* window, const char* name, const QString& text,
+                  const QList<QKeySequence>& shortcuts) {
+  auto* made = new QAction(text, window);
+  made->setObjectName(QString::fromUtf8(name));
+  made->setShortcuts(shortcuts);
+  made->setShortcutContext(Qt::WidgetShortcut);
+  return made;
+}
+
+void makeFissureActions(Actions& a, QWidget* window) {
+  const auto tr = [](const char* text) { return QObject::tr(text); };
+  a.placePoints =
+      inSlices(window, "actionPlacePoints", tr("&Place points on fissures"), {keys("P")});
+  a.placePoints->setIconText(tr("Place points"));
+  a.placePoints->setCheckable(true);
+  a.snap = inSlices(window, "actionSnap", tr("S&nap to the fissure in the CT"), {keys("G")});
+  a.snap->setIconText(tr("Snap to CT"));
+  a.snap->setCheckable(true);
+  a.review = inSlices(window, "actionReview", tr("&Review the fissures"), {keys("V")});
+  a.review->setIconText(tr("Review"));
+  a.looksRight =
+      inSlices(window, "actionLooksRight", tr("Loo&ks right"), {keys("Return"), keys("Enter")});
+  a.editHere = inSlices(window, "actionEditHere", tr("&Edit here"), {keys("E")});
+  a.openFissures = action(window, "actionOpenFissures", tr("Open f&issures..."));
+  a.saveFissures = action(window, "actionSaveFissures", tr("Save fi&ssures..."));
+  a.acceptFissures =
+      action(window, "actionAcceptFissures", tr("&Accept the fissures without review"));
+  a.acceptFissures->setIconText(tr("Accept"));
+}
+
 }  // namespace
 
 Actions makeActions(QWidget* window) {
@@ -46,13 +77,7 @@ Actions makeActions(QWidget* window) {
   a.undo = action(window, "actionUndo", tr("&Undo"), {keys("Ctrl+Z")});
   a.redo = action(window, "actionRedo", tr("&Redo"), {keys("Ctrl+Shift+Z"), keys("Ctrl+Y")});
   a.findLungs = action(window, "actionFindLungs", tr("Find &lungs"), {keys("Ctrl+L")}, "lungs");
-  // P in the 3-D view looks from behind, so that the slice views alone answer this one.
-  a.placePoints = new QAction(tr("&Place points on fissures"), window);
-  a.placePoints->setObjectName(QStringLiteral("actionPlacePoints"));
-  a.placePoints->setIconText(tr("Place points"));
-  a.placePoints->setShortcut(keys("P"));
-  a.placePoints->setShortcutContext(Qt::WidgetShortcut);
-  a.placePoints->setCheckable(true);
+  makeFissureActions(a, window);
   a.splitLobes = action(window, "actionSplitLobes", tr("&Split into lobes"), {keys("Ctrl+B")});
   a.grow = action(window, "actionGrow", tr("&Grow airways"), {keys("Ctrl+Return")});
   a.cancel = action(window, "actionCancel", tr("&Cancel the running job"), {keys("Esc")}, "close");
@@ -83,13 +108,17 @@ void fillMenus(QMenuBar& bar, const Actions& a) {
   file->addActions({a.open, a.openFolder, a.sample});
   file->addMenu(organMenu(a, file));
   file->addSeparator();
+  file->addActions({a.openFissures, a.saveFissures});
+  file->addSeparator();
   file->addActions({a.saveTree, a.savePicture});
   file->addSeparator();
   file->addAction(a.quit);
   QMenu* edit = bar.addMenu(QObject::tr("&Edit"));
   edit->addActions({a.undo, a.redo});
   edit->addSeparator();
-  edit->addActions({a.findLungs, a.placePoints, a.splitLobes, a.grow, a.cancel});
+  edit->addActions({a.placePoints, a.snap, a.review, a.looksRight, a.editHere, a.acceptFissures});
+  edit->addSeparator();
+  edit->addActions({a.findLungs, a.splitLobes, a.grow, a.cancel});
   QMenu* view = bar.addMenu(QObject::tr("&View"));
   for (QAction* named : a.views) view->addAction(named);
   view->addSeparator();

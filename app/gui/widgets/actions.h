@@ -27,7 +27,14 @@ struct Actions {
   QAction* redo = nullptr;
   QAction* findLungs = nullptr;
   QAction* placePoints = nullptr;  ///< checkable; its key acts in the slices
+  QAction* snap = nullptr;         ///< checkable; so does its key
+  QAction* openFissures = nullptr;
+  QAction* saveFissures = nullptr;
   QAction* splitLobes = nullptr;
+  QAction* review = nullptr;  ///< the keys of this one and the next two act in the slices
+  QAction* looksRight = nullptr;
+  QAction* editHere = nullptr;
+  QAction* acceptFissures = nullptr;
   QAction* grow = nullptr;
   QAction* cancel = nullptr;
   std::array<QAction*, 6> views{};
@@ -35,6 +42,9 @@ struct Actions {
   SliceActions slices;
   QAction* theme = nullptr;
   QAction* about = nullptr;
+
+  /// Those of the fissures whose keys act in the slices.
+  QList<QAction*> ofFissures() const { return {placePoints, snap, review, looksRight, editHere}; }
 };
 
 /// @param window owns the actions and answers their keys

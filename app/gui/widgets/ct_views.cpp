@@ -73,7 +73,7 @@ QWidget* CtViews::makePane(SlicePlane plane) {
 void CtViews::connectActions(const Actions& actions) {
   const SliceActions& slices = actions.slices;
   addActions(slices.all());
-  for (SliceView* slice : slices_) slice->addAction(actions.placePoints);
+  for (SliceView* slice : slices_) slice->addActions(actions.ofFissures());
   const auto change = [this](const QAction* action, auto edit) {
     connect(action, &QAction::triggered, this, [this, edit](bool checked) {
       SliceLook look = views_.look();

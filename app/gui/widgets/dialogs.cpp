@@ -38,6 +38,15 @@ void askForFiles(QWidget* parent, std::function<void(const QStringList&)> chosen
   dialog->open();
 }
 
+void askForFile(QWidget* parent, const QString& title, const QStringList& filters,
+                std::function<void(const QString&)> chosen) {
+  auto* dialog = fileDialog(parent, title, "fileDialog");
+  dialog->setFileMode(QFileDialog::ExistingFile);
+  dialog->setNameFilters(filters);
+  QObject::connect(dialog, &QFileDialog::fileSelected, parent, std::move(chosen));
+  dialog->open();
+}
+
 void askForFolder(QWidget* parent, std::function<void(const QString&)> chosen) {
   auto* dialog =
       fileDialog(parent, QObject::tr("Open a folder of a CT or of lobe surfaces"), "folderDialog");
@@ -47,12 +56,12 @@ void askForFolder(QWidget* parent, std::function<void(const QString&)> chosen) {
   dialog->open();
 }
 
-void askWhereToSave(QWidget* parent, const QString& title, const QString& filter,
+void askWhereToSave(QWidget* parent, const QString& title, const QString& filters,
                     const QString& suffix, std::function<void(const QString&)> chosen) {
   auto* dialog = fileDialog(parent, title, "saveDialog");
   dialog->setAcceptMode(QFileDialog::AcceptSave);
   dialog->setFileMode(QFileDialog::AnyFile);
-  dialog->setNameFilter(filter);
+  dialog->setNameFilters(filters.split(QStringLiteral(";;")));
   dialog->setDefaultSuffix(suffix);
   QObject::connect(dialog, &QFileDialog::fileSelected, parent, std::move(chosen));
   dialog->open();

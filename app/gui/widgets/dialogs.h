@@ -11,10 +11,15 @@ namespace pneuma {
 
 void askForFiles(QWidget* parent, std::function<void(const QStringList&)> chosen);
 
+/// One file. @param filters as file dialogs have them
+void askForFile(QWidget* parent, const QString& title, const QStringList& filters,
+                std::function<void(const QString&)> chosen);
+
 void askForFolder(QWidget* parent, std::function<void(const QString&)> chosen);
 
+/// @param filters one, or some between ";;"
 /// @param suffix without the dot, put behind a name that has none
-void askWhereToSave(QWidget* parent, const QString& title, const QString& filter,
+void askWhereToSave(QWidget* parent, const QString& title, const QString& filters,
                     const QString& suffix, std::function<void(const QString&)> chosen);
 
 /// Asks what becomes of a grown tree that is in no file; "Cancel" calls nothing.

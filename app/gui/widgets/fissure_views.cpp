@@ -13,7 +13,10 @@ namespace {
 
 constexpr double PatchSpacingMm = 6.0;
 
-bool proposed(const UsedFissure& used) { return used.source == FissureSource::Proposal; }
+/// True if nobody set it, and the CT does not tell it either: snapped ones have knots.
+bool proposed(const UsedFissure& used) {
+  return used.source == FissureSource::Proposal && used.surface.knots.empty();
+}
 
 }  // namespace
 
@@ -61,7 +64,7 @@ void FissureViews::showInScene() {
           lung.heights(fissure);
       const Drawn& parts = drawn(lung, fissure);
       scene.sheets.push_back({parts.patch, parts.rim, proposed(editor_.used(fissure)),
-                              fissure == editor_.current(), visible});
+                              fissure == editor_.current(), visible, parts.shows});
     }
     scene.lungs.push_back(std::move(shown));
   }
@@ -73,10 +76,20 @@ void FissureViews::showInScene() {
 const FissureViews::Drawn& FissureViews::drawn(const LobePreview& lung, Fissure fissure) {
   Drawn& parts = drawn_[fissure];
   const auto oblique = lung.heights(fissuresOf(lung.side()).front());
-  if (parts.own == lung.heights(fissure) && parts.oblique == oblique) return parts;
+  const TracedFissure* traced = editor_.traced(fissure);
+  const auto patch = traced != nullptr && traced->complete ? traced->patch : nullptr;
+  const bool same = parts.own == lung.heights(fissure) && parts.oblique == oblique;
+  if (same && parts.traced == patch) return parts;
   parts.own = lung.heights(fissure);
   parts.oblique = oblique;
-  parts.patch = std::make_shared<const TriangleMesh>(lung.patch(fissure, PatchSpacingMm));
+  parts.traced = patch;
+  parts.shows = nullptr;
+  if (patch) {
+    parts.patch = patch;
+    parts.shows = std::make_shared<const std::vector<std::uint8_t>>(traced->complete->onSheet);
+  } else {
+    parts.patch = std::make_shared<const TriangleMesh>(lung.patch(fissure, PatchSpacingMm));
+  }
   parts.rim = std::make_shared<const std::vector<SurfaceLine>>(lung.contour(fissure));
   return parts;
 }
@@ -102,9 +115,16 @@ void FissureViews::showInSlices() {
   shown->reachMm = FissureEditor::SliceReachMm;
   for (const LobePreview& lung : editor_.previews()) {
     for (const Fissure fissure : fissuresOf(lung.side())) {
-      shown->lines.push_back(
-          {fissure, [surface = lung.surface(fissure)](const Vec3& p) { return surface.height(p); },
-           proposed(editor_.used(fissure)), active_ && fissure == editor_.current()});
+      SliceFissures::Line line{
+          fissure,
+          [surface = lung.surface(fissure)](const Vec3& p) { return surface.height(p); },
+          proposed(editor_.used(fissure)),
+          active_ && fissure == editor_.current(),
+          {}};
+      if (const auto parts = editor_.shownParts(fissure)) {
+        line.shows = [parts](const Vec3& p) { return parts->shows(p); };
+      }
+      shown->lines.push_back(std::move(line));
     }
   }
   if (active_) shown->marks = marks();

@@ -35,6 +35,8 @@ class FissureViews : public QObject {
     std::shared_ptr<const std::vector<float>> own;
     std::shared_ptr<const std::vector<float>> oblique;
     std::shared_ptr<const TriangleMesh> patch;
+    std::shared_ptr<const TriangleMesh> traced;  ///< the patch where it was, else null
+    std::shared_ptr<const std::vector<std::uint8_t>> shows;
     std::shared_ptr<const std::vector<std::vector<Vec3>>> rim;
   };
 

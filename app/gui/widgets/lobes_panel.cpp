@@ -1,6 +1,5 @@
 #include "widgets/lobes_panel.h"
 
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -13,9 +12,11 @@
 #include <QVBoxLayout>
 #include <QVariant>
 #include <cmath>
+#include <tuple>
 
 #include "core/error.h"
 #include "document/lobes_sheet.h"
+#include "document/review_walk.h"
 #include "document/text.h"
 #include "pipeline/lobe_shares.h"
 #include "widgets/action_button.h"
@@ -44,33 +45,18 @@ int stepOf(double smoothness) {
                                       std::log(MostSmoothness / LeastSmoothness)));
 }
 
-/// Scrolls a column whose parts come and go. A scroll area asks wrapped texts for their height too
-/// early, and squeezes what is there then.
-class ColumnScroll : public QScrollArea {
- public:
-  explicit ColumnScroll(QWidget* content) {
-    setWidget(content);
-    setWidgetResizable(true);
-    setFrameShape(QFrame::NoFrame);
-    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    setFocusPolicy(Qt::NoFocus);
+/// Layouts remember the heights of their parts, and a scroll area squeezes what has grown since.
+void forgetHeights(QWidget& column) {
+  const QList<QWidget*> parts = column.findChildren<QWidget*>();
+  // From the inside out.
+  for (auto part = parts.crbegin(); part != parts.crend(); ++part) {
+    if ((*part)->layout() == nullptr) continue;
+    (*part)->layout()->invalidate();
+    (*part)->updateGeometry();
   }
-
- protected:
-  bool eventFilter(QObject* watched, QEvent* event) override {
-    const bool changed = event->type() == QEvent::LayoutRequest || event->type() == QEvent::Resize;
-    if (watched == widget() && changed) QTimer::singleShot(0, this, [this] { fit(); });
-    return QScrollArea::eventFilter(watched, event);
-  }
-
- private:
-  void fit() {
-    QLayout& layout = *widget()->layout();
-    layout.activate();
-    const int height = layout.totalHeightForWidth(widget()->width());
-    if (height != widget()->minimumHeight()) widget()->setMinimumHeight(height);
-  }
-};
+  column.layout()->invalidate();
+  column.layout()->activate();
+}
 
 QLabel* dimLabel(const char* name) {
   auto* label = new QLabel;
@@ -80,31 +66,50 @@ QLabel* dimLabel(const char* name) {
   return label;
 }
 
+/// The button of an action by its short name, pressed while the action is on.
+QPushButton* shortButton(QAction* action, const char* name, const char* role = nullptr) {
+  QPushButton* button = actionButton(action, name, role);
+  button->setCheckable(action->isCheckable());
+  const auto follow = [button, action] {
+    button->setText(action->iconText());
+    button->setChecked(action->isChecked());
+  };
+  follow();
+  QObject::connect(action, &QAction::changed, button, follow);
+  // A press that is refused must not stay.
+  QObject::connect(button, &QPushButton::clicked, button, follow);
+  return button;
+}
+
+/// Two buttons of the same width.
+QWidget* rowOf(QPushButton* first, QPushButton* second) {
+  auto* box = new QWidget;
+  auto* row = new QHBoxLayout(box);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(6);
+  row->addWidget(first, 1);
+  row->addWidget(second, 1);
+  return box;
+}
+
 }  // namespace
 
-LobesPanel::LobesPanel(Document& document, FissureEditor& editor, SliceViews& slices,
-                       const Actions& actions, QWidget* parent)
-    : QWidget(parent), document_(document), editor_(editor) {
+LobesPanel::LobesPanel(Document& document, FissureEditor& editor, ReviewWalk& review,
+                       SliceViews& slices, const Actions& actions, QWidget* parent)
+    : QWidget(parent), document_(document), editor_(editor), review_(review) {
   auto* content = new QWidget;
   auto* column = new QVBoxLayout(content);
   column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(8);
-  column->addWidget(heading(tr("Fissures")));
+  column->setSpacing(6);
+  addStation(*column, actions);
+  addFiles(*column, actions);
   for (const Fissure fissure :
        {Fissure::LeftOblique, Fissure::RightOblique, Fissure::RightHorizontal}) {
-    cards_.push_back(new FissureCard(editor_, slices, fissure));
+    cards_.push_back(new FissureCard(document_, editor_, slices, fissure));
     column->addWidget(cards_.back());
   }
-  auto* place = actionButton(actions.placePoints, "placePoints");
-  place->setCheckable(true);
-  connect(actions.placePoints, &QAction::changed, place,
-          [place, action = actions.placePoints] { place->setChecked(action->isChecked()); });
-  column->addWidget(place);
-  addSmoothness(*column);
-  addShares(*column);
+  addTools(*column, actions);
   addSplit(*column, actions);
-  column->addSpacing(4);
-  column->addWidget(heading(tr("Lobes")));
   volumes_ = new SheetCard;
   volumes_->setObjectName(QStringLiteral("lobeVolumes"));
   volumes_->setAccessibleName(tr("Volumes of the lobes, share of their lung"));
@@ -113,16 +118,72 @@ LobesPanel::LobesPanel(Document& document, FissureEditor& editor, SliceViews& sl
   checks_->setObjectName(QStringLiteral("lobeChecks"));
   checks_->setAccessibleName(tr("Checks of the lobes"));
   column->addWidget(checks_);
+  addReview(*column, actions);
+  column->addSpacing(4);
+  addSmoothness(*column);
+  addShares(*column);
   column->addStretch();
-  auto* scroll = new ColumnScroll(content);
+  auto* scroll = new QScrollArea;
+  scroll->setWidget(content);
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setFocusPolicy(Qt::NoFocus);
   scroll->setObjectName(QStringLiteral("lobesScroll"));
   scroll->verticalScrollBar()->setObjectName(QStringLiteral("lobesScrollBar"));
   auto* whole = new QVBoxLayout(this);
   whole->setContentsMargins(0, 0, 0, 0);
   whole->addWidget(scroll);
 
+  column_ = content;
+  fitting_ = new QTimer(this);
+  fitting_->setSingleShot(true);
+  fitting_->setInterval(0);
+  connect(fitting_, &QTimer::timeout, this, &LobesPanel::fit);
+
   connect(&editor_, &FissureEditor::changed, this, &LobesPanel::follow);
+  connect(&review_, &ReviewWalk::changed, this, &LobesPanel::followReview);
   follow();
+}
+
+void LobesPanel::addFiles(QBoxLayout& column, const Actions& actions) {
+  auto* row = new QHBoxLayout;
+  row->setSpacing(2);
+  row->addWidget(heading(tr("Fissures")), 1);
+  for (const auto& [action, name, text] :
+       {std::tuple{actions.openFissures, "openFissures", tr("Open")},
+        std::tuple{actions.saveFissures, "saveFissures", tr("Save")}}) {
+    QPushButton* button = actionButton(action, name, "link");
+    const auto shorten = [button, word = text] { button->setText(word); };
+    shorten();
+    connect(action, &QAction::changed, button, shorten);
+    row->addWidget(button);
+    row->addSpacing(8);
+  }
+  column.addLayout(row);
+}
+
+void LobesPanel::addTools(QBoxLayout& column, const Actions& actions) {
+  column.addWidget(
+      rowOf(shortButton(actions.placePoints, "placePoints"), shortButton(actions.snap, "snap")));
+  snapNote_ = dimLabel("snapNote");
+  column.addWidget(snapNote_);
+}
+
+void LobesPanel::addStation(QBoxLayout& column, const Actions& actions) {
+  station_ = dimLabel("reviewStation");
+  column.addWidget(station_);
+  walking_ = rowOf(shortButton(actions.looksRight, "looksRight", "primary"),
+                   shortButton(actions.editHere, "editHere"));
+  column.addWidget(walking_);
+}
+
+void LobesPanel::addReview(QBoxLayout& column, const Actions& actions) {
+  reviewNote_ = dimLabel("reviewNote");
+  column.addWidget(reviewNote_);
+  waiting_ = rowOf(shortButton(actions.review, "review"),
+                   shortButton(actions.acceptFissures, "acceptFissures"));
+  column.addWidget(waiting_);
 }
 
 void LobesPanel::addSmoothness(QBoxLayout& column) {
@@ -186,8 +247,9 @@ void LobesPanel::addSplit(QBoxLayout& column, const Actions& actions) {
   auto* cancel = new QPushButton(tr("Cancel"));
   cancel->setObjectName(QStringLiteral("splitCancel"));
   connect(cancel, &QPushButton::clicked, &document_.jobs(), &JobQueue::cancel);
-  connect(&document_.jobs(), &JobQueue::busyChanged, cancel,
-          [this, cancel](bool busy) { cancel->setVisible(busy && document_.splitting()); });
+  connect(&document_.jobs(), &JobQueue::busyChanged, cancel, [this, cancel](bool busy) {
+    cancel->setVisible(busy && (document_.splitting() || document_.lookingForFissures()));
+  });
   cancel->hide();
   row->addWidget(cancel);
   column.addLayout(row);
@@ -202,6 +264,7 @@ void LobesPanel::takeShares() {
   } catch (const InvalidOption& error) {
     sharesNote_->setText(qtText(error.what()));
     sharesNote_->show();
+    fitting_->start();
   }
 }
 
@@ -217,12 +280,53 @@ void LobesPanel::follow() {
   }
   note_->setText(note());
   note_->setVisible(!note_->text().isEmpty());
+  snapNote_->setText(snapNote());
+  snapNote_->setVisible(!snapNote_->text().isEmpty());
+  followReview();
   const PropertySheet volumes = lobeVolumesSheet(editor_);
   volumes_->show(volumes);
   volumes_->setVisible(!volumes.rows.empty());
   const PropertySheet checks = lobeChecksSheet(editor_, document_);
   checks_->show(checks);
   checks_->setVisible(!checks.rows.empty());
+  fit();
+  fitting_->start();  // and once what is new has its style
+}
+
+void LobesPanel::fit() {
+  forgetHeights(*column_);
+  column_->setMinimumHeight(column_->layout()->totalHeightForWidth(column_->width()));
+}
+
+void LobesPanel::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  fitting_->start();
+}
+
+void LobesPanel::followReview() {
+  for (FissureCard* card : cards_) card->follow();
+  const bool active = review_.active();
+  walking_->setVisible(active);
+  waiting_->setVisible(!active && editor_.available() && !review_.complete());
+  station_->setVisible(active);
+  if (active) {
+    station_->setText(tr("%1, station %2 of %3: is the line on the fissure?")
+                          .arg(capitalised(longName(review_.fissure())))
+                          .arg(review_.station() + 1)
+                          .arg(review_.stations()));
+  }
+  reviewNote_->setText(review_.complete()
+                           ? tr("All fissures were reviewed or accepted.")
+                           : tr("Done once all fissures were reviewed or accepted."));
+  reviewNote_->setVisible(editor_.available() && !active);
+  fitting_->start();
+}
+
+QString LobesPanel::snapNote() const {
+  if (!editor_.available()) return {};
+  if (document_.lookingForFissures()) return tr("Looking for fissures in the CT...");
+  const QString obstacle = document_.snapObstacle();
+  return obstacle.isEmpty() ? QString() : tr("No snapping. %1").arg(obstacle);
 }
 
 QString LobesPanel::note() const {

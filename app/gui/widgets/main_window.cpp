@@ -25,6 +25,7 @@
 #include "widgets/open_panel.h"
 #include "widgets/scene_view.h"
 #include "widgets/slice_bar.h"
+#include "widgets/slice_view.h"
 #include "widgets/status_strip.h"
 #include "widgets/step_button.h"
 #include "widgets/structure_view.h"
@@ -151,6 +152,26 @@ void MainWindow::connectView() {
 
 void MainWindow::connectFissures() {
   connect(actions_.placePoints, &QAction::toggled, &fissures_, &FissureEditor::setPlacing);
+  connect(actions_.snap, &QAction::triggered, this, [this](bool on) {
+    document_.setSnapping(on);
+    updateFissureActions();
+  });
+  connect(actions_.openFissures, &QAction::triggered, this, &MainWindow::openFissures);
+  connect(actions_.saveFissures, &QAction::triggered, this, &MainWindow::saveFissures);
+  connect(actions_.review, &QAction::triggered, this, [this] {
+    review_.start();
+    ctViews_->slice(SlicePlane::Sagittal).setFocus();
+  });
+  connect(actions_.looksRight, &QAction::triggered, &review_, &ReviewWalk::looksRight);
+  connect(actions_.editHere, &QAction::triggered, this, [this] {
+    review_.editHere();
+    ctViews_->slice(SlicePlane::Sagittal).setFocus();
+  });
+  connect(actions_.acceptFissures, &QAction::triggered, &review_, &ReviewWalk::accept);
+  connect(&review_, &ReviewWalk::changed, this, [this] {
+    updateSteps();
+    updateActions();
+  });
   connect(&fissures_, &FissureEditor::changed, this, [this] {
     actions_.placePoints->setChecked(fissures_.placing());
     updateSteps();
@@ -161,6 +182,7 @@ void MainWindow::connectFissures() {
 void MainWindow::goTo(Step step) {
   if (step != LungsStep) lungsPanel_->endPreview();
   fissureViews_->setActive(step == LobesStep);
+  if (step != LobesStep) review_.stop();
   steps_[step]->setChecked(true);
   panels_->setCurrentIndex(step);
   updateActions();
@@ -232,7 +254,8 @@ void MainWindow::showScene() {
     }
     view_->setSurfaces(std::move(surfaces));
   }
-  sliceViews_.show(snapshot.model.ct, snapshot.model.labels);
+  const auto& labels = snapshot.model.labels ? snapshot.model.labels : snapshot.lungLabels;
+  sliceViews_.show(snapshot.model.ct, labels);
   sliceBar_->setVisible(snapshot.model.ct != nullptr);
   viewBar_->setDeepest(
       snapshot.figures ? static_cast<int>(snapshot.figures->branchesOfGeneration.size()) - 1 : 0);
@@ -304,6 +327,8 @@ void MainWindow::probePoint(const std::optional<Vec3>& point) {
 void MainWindow::cancel() {
   if (fissures_.placing()) {
     fissures_.setPlacing(false);
+  } else if (review_.active()) {
+    review_.stop();
   } else if (document_.jobs().busy()) {
     document_.jobs().cancel();
     status_->say(tr("Stopping..."));
@@ -337,6 +362,22 @@ void MainWindow::saveTree(std::function<void()> then) {
                    whenSaved_ = then;
                    document_.saveTree(pathOf(name));
                  });
+}
+
+void MainWindow::openFissures() {
+  errorCard_->hide();
+  goTo(LobesStep);
+  askForFile(this, tr("Open fissures"), {tr("Fissures (*.json *.fcsv *.csv)"), tr("All files (*)")},
+             [this](const QString& name) { document_.openFissures(pathOf(name)); });
+}
+
+void MainWindow::saveFissures() {
+  errorCard_->hide();
+  askWhereToSave(this, tr("Save the fissures"),
+                 tr("Pneuma, everything (*.json);;3D Slicer markups, points (*.mrk.json);;"
+                    "3D Slicer, points (*.fcsv);;Chest Imaging Platform, points (*.csv)"),
+                 QStringLiteral("json"),
+                 [this](const QString& name) { document_.saveFissures(pathOf(name)); });
 }
 
 void MainWindow::savePicture() {

@@ -10,6 +10,7 @@
 
 #include "document/document.h"
 #include "document/fissure_editor.h"
+#include "document/review_walk.h"
 #include "document/slice_views.h"
 #include "document/structure_model.h"
 #include "widgets/actions.h"
@@ -53,6 +54,8 @@ class MainWindow : public QMainWindow {
 
   FissureEditor& fissures() { return fissures_; }
 
+  ReviewWalk& review() { return review_; }
+
   void open(std::vector<std::filesystem::path> paths);
 
   void setTheme(ThemeName name);
@@ -87,6 +90,7 @@ class MainWindow : public QMainWindow {
   void updateActions();
   void updateSteps();
   void updateLobesStep();
+  void updateFissureActions();
   void updateProperties();
   void applyVisibility();
   void selectBranch(std::optional<std::size_t> branch);
@@ -96,12 +100,15 @@ class MainWindow : public QMainWindow {
   void cancel();
   /// @param then what to do once the tree is saved
   void saveTree(std::function<void()> then = {});
+  void openFissures();
+  void saveFissures();
   void savePicture();
 
   Document document_;
   StructureModel structures_;
   SliceViews sliceViews_;
   FissureEditor fissures_{document_};
+  ReviewWalk review_{document_, fissures_, sliceViews_};
   Actions actions_;
   std::optional<std::size_t> branch_;  ///< the selected one
   std::function<void()> whenSaved_;

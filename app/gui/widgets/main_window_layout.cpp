@@ -1,12 +1,15 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QMenuBar>
+#include <QResizeEvent>
 #include <QScrollArea>
 #include <QShortcut>
 #include <QStackedWidget>
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <QVariant>
+#include <utility>
+#include <vector>
 
 #include "widgets/ct_views.h"
 #include "widgets/error_card.h"
@@ -36,6 +39,29 @@ namespace {
 constexpr int HeaderHeight = 46;
 constexpr int RailWidth = 248;
 constexpr int RightWidth = 316;
+
+/// Makes steps lower while their window is.
+class StepHeights : public QObject {
+ public:
+  StepHeights(QWidget* window, std::vector<StepButton*> steps)
+      : QObject(window), steps_(std::move(steps)) {
+    window->installEventFilter(this);
+  }
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    if (event->type() == QEvent::Resize) {
+      const int height = static_cast<QResizeEvent*>(event)->size().height();
+      for (StepButton* step : steps_) step->setCompact(height < LowWindow);
+    }
+    return QObject::eventFilter(watched, event);
+  }
+
+ private:
+  static constexpr int LowWindow = 880;
+
+  std::vector<StepButton*> steps_;
+};
 
 QWidget* styled(const char* name) {
   auto* widget = new QWidget;
@@ -99,13 +125,14 @@ QWidget* MainWindow::makeRail() {
     auto* key = new QShortcut(QKeySequence(QString::number(i + 1)), this);
     connect(key, &QShortcut::activated, this, [this, i] { goToVisible(i); });
   }
+  new StepHeights(this, {steps_.begin(), steps_.end()});
   column->addSpacing(10);
   openPanel_ = new OpenPanel(actions_);
   exportPanel_ = new ExportPanel(actions_);
   panels_->addWidget(openPanel_);
   lungsPanel_ = new LungsPanel(document_, sliceViews_, actions_);
   panels_->addWidget(lungsPanel_);
-  panels_->addWidget(new LobesPanel(document_, fissures_, sliceViews_, actions_));
+  panels_->addWidget(new LobesPanel(document_, fissures_, review_, sliceViews_, actions_));
   panels_->addWidget(new GrowthPanel(document_, actions_));
   panels_->addWidget(exportPanel_);
   column->addWidget(panels_, 1);

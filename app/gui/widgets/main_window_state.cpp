@@ -31,8 +31,7 @@ void MainWindow::updateActions() {
                                  : ct ? tr("Find lungs and central airways in the CT")
                                       : tr("Open a CT first"));
   const bool whole = document_.canSplit();
-  actions_.placePoints->setEnabled(whole && steps_[LobesStep]->isChecked());
-  actions_.placePoints->setToolTip(tr("Clicks in the slices set points on the current fissure"));
+  updateFissureActions();
   actions_.splitLobes->setEnabled(whole && !busy);
   actions_.splitLobes->setToolTip(busy    ? wait
                                   : whole ? tr("Split the lungs into lobes along the fissures")
@@ -46,11 +45,42 @@ void MainWindow::updateActions() {
                                 : tree ? tr("Save the tree that is shown")
                                        : tr("There is no tree to save yet"));
   actions_.savePicture->setEnabled(shown);
-  actions_.cancel->setEnabled(busy || branch_ || fissures_.placing());
+  actions_.cancel->setEnabled(busy || branch_ || fissures_.placing() || review_.active());
   actions_.undo->setEnabled(document_.canUndo());
   actions_.undo->setText(tr("&Undo %1").arg(document_.undoName()).trimmed());
   actions_.redo->setEnabled(document_.canRedo());
   actions_.redo->setText(tr("&Redo %1").arg(document_.redoName()).trimmed());
+}
+
+void MainWindow::updateFissureActions() {
+  const bool whole = document_.canSplit() && steps_[LobesStep]->isChecked();
+  const QString obstacle = document_.snapObstacle();
+  const bool looking = document_.lookingForFissures();
+  actions_.placePoints->setEnabled(whole);
+  actions_.placePoints->setToolTip(tr("Clicks in the slices set points on the current fissure"));
+  actions_.snap->setEnabled(whole && obstacle.isEmpty() && !looking);
+  actions_.snap->setChecked(document_.snapshot().lobeEdits.snap || looking);
+  actions_.snap->setToolTip(
+      obstacle.isEmpty() ? tr("Draws points, planes and proposals onto the fissure in the CT")
+                         : obstacle);
+  const bool busy = document_.jobs().busy();
+  for (QAction* file : {actions_.openFissures, actions_.saveFissures}) {
+    file->setEnabled(document_.canSplit() && !busy);
+  }
+  actions_.openFissures->setToolTip(
+      tr("Points, planes and surfaces of fissures: Pneuma's JSON, "
+         "3D Slicer, Chest Imaging Platform"));
+  actions_.saveFissures->setToolTip(tr("Saves the fissures that were set"));
+  actions_.review->setEnabled(whole && review_.available() && !review_.active());
+  actions_.review->setToolTip(sliceViews_.empty()
+                                  ? tr("Needs a CT: the fissures are looked at in its slices")
+                                  : tr("Leads through twelve places of each fissure"));
+  actions_.looksRight->setEnabled(whole && review_.active());
+  actions_.looksRight->setToolTip(tr("The fissure lies right in this slice: to the next"));
+  actions_.editHere->setEnabled(whole && review_.active());
+  actions_.editHere->setToolTip(tr("Leaves the review to set points in this slice; V comes back"));
+  actions_.acceptFissures->setEnabled(whole && !busy && !review_.complete());
+  actions_.acceptFissures->setToolTip(tr("Takes the fissures as they are; this can be undone"));
 }
 
 void MainWindow::updateSteps() {
@@ -123,11 +153,8 @@ void MainWindow::updateLobesStep() {
   } else if (document_.lobesOutOfDate()) {
     step.setState(StepState::OutOfDate, {});
   } else {
-    // A proposal that nobody touched is no finding.
-    bool fine = model.lobes->warnings.empty();
-    for (const auto& [fissure, used] : model.lobes->fissures) {
-      fine = fine && used.source != FissureSource::Proposal;
-    }
+    // Lobes are no finding before somebody has looked at their fissures, or says so.
+    bool fine = review_.complete();
     for (const PropertyRow& row : lobeChecksSheet(fissures_, document_).rows) {
       fine = fine && row.kind != PropertyRow::Kind::Look;
     }

@@ -98,6 +98,8 @@ void SheetCard::show(const PropertySheet& sheet) {
                  (row.value.isEmpty() ? QString() : QStringLiteral(": ") + row.value);
     ++line;
   }
+  // A layout would show them only later, and until then the card would have no height.
+  for (int i = 0; i < rows_->count(); ++i) rows_->itemAt(i)->widget()->show();
   text_ = lines.join(QLatin1Char('\n'));
   setAccessibleDescription(text_);
 }

@@ -66,7 +66,14 @@ void StepButton::describe() {
   update();
 }
 
-QSize StepButton::sizeHint() const { return {224, 50}; }
+void StepButton::setCompact(bool compact) {
+  if (compact == compact_) return;
+  compact_ = compact;
+  updateGeometry();
+  update();
+}
+
+QSize StepButton::sizeHint() const { return {224, compact_ ? 32 : 50}; }
 
 void StepButton::paintState(QPainter& painter, const QRectF& box) const {
   const Theme& theme = currentTheme();
@@ -121,8 +128,13 @@ void StepButton::paintEvent(QPaintEvent*) {
   painter.drawRoundedRect(row, 8, 8);
   paintState(painter, QRectF(10, 0, 22, height()));
 
-  const QRect upper(44, 7, width() - 44 - 34, height() / 2 - 7);
-  const QRect lower(44, height() / 2, width() - 44 - 26, height() / 2 - 6);
+  const int half = height() / 2;
+  QRect upper(44, 7, width() - 44 - 34, half - 7);
+  QRect lower(44, half, width() - 44 - 26, half - 6);
+  if (compact_) {
+    upper = QRect(44, 0, 64, height());
+    lower = QRect(108, 0, width() - 108 - 26, height());
+  }
   QFont bold = font();
   bold.setWeight(QFont::DemiBold);
   painter.setFont(bold);

@@ -20,6 +20,9 @@ class StepButton : public QAbstractButton {
   /// empty
   void setState(StepState state, const QString& note);
 
+  /// In one line, for windows without the height for two.
+  void setCompact(bool compact);
+
   QSize sizeHint() const override;
 
  protected:
@@ -30,6 +33,7 @@ class StepButton : public QAbstractButton {
   void paintState(QPainter& painter, const QRectF& box) const;
 
   int number_;
+  bool compact_ = false;
   StepState state_ = StepState::ToDo;
   QString note_;
   QString line_;

@@ -132,8 +132,7 @@ class JsonFissures {
     }
     FissurePlane plane{place(entry["point"], "point" + of), Vec3::Zero()};
     if (angles) {
-      plane.normal = rotated(rotated(Vec3::UnitZ(), Vec3::UnitX(), angle(entry, "tilt_deg", of)),
-                             Vec3::UnitY(), angle(entry, "turn_deg", of));
+      plane.normal = planeNormal(angle(entry, "tilt_deg", of), angle(entry, "turn_deg", of));
     } else {
       plane.normal = place(entry["normal"], "normal" + of);
     }
@@ -193,12 +192,7 @@ class JsonFissures {
 
   FissurePatch patch(const std::string& name, const Json& file) const {
     if (!file.is_string()) fail("has no file's name as surface of \"" + name + "\"");
-    FissurePatch patch;
-    patch.file = path_.parent_path() / file.get<std::string>();
-    SurfaceFile surface = readSurface(patch.file);
-    patch.mesh = std::make_shared<const TriangleMesh>(std::move(surface.mesh));
-    patch.notes = std::move(surface.notes);
-    return patch;
+    return readFissurePatch(path_.parent_path() / file.get<std::string>());
   }
 
   void readPoints(GivenFissure& set, const std::string& name, const Json& entry) const {
