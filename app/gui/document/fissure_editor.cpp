@@ -16,7 +16,7 @@ namespace {
 
 constexpr double PatchSpacingMm = 8.0;  ///< of a patch that only tells where the fissure is
 constexpr double ShareTolerance = 1e-3;
-constexpr double HandlesShare = 0.7;  ///< of the plane's scale
+constexpr double DrawnHandlesShare = 0.7;  ///< of the plane's scale
 constexpr double FarthestExtendMm = 15.0;
 
 /// As the window lists them.
@@ -404,7 +404,7 @@ std::array<Vec3, 3> FissureEditor::firstHandles(Fissure fissure) const {
   // About as far out as most of the fissure.
   const BestPlane plane =
       bestPlane(std::span(patch.points).first(std::min(patch.points.size(), MostFissurePoints)));
-  return handlesAround(plane.centre, plane.axes[0], plane.axes[1], HandlesShare * plane.scale);
+  return handlesAround(plane.centre, plane.axes[0], plane.axes[1], DrawnHandlesShare * plane.scale);
 }
 
 }  // namespace pneuma
