@@ -8,9 +8,10 @@ keeps() { expect "the JSON breaks $1: $("$JSON_CHECK" "$SCHEMAS/$1.schema.json" 
 # column NAME FILE: a column of a table without its head.
 column() { awk -F, -v name="$1" 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == name) c = i; next } { print $c }' "$2"; }
 
-succeeds "a chest" sample chest --cell 8mm -q
-succeeds "a tree in it" grow chest --central chest/central.vtp --method centroid --terminals 500 -o tree.vtp -q
-succeeds "quiet breathing" breathe chest tree.vtp -o breath.pvd --frames 8 --json
+succeeds "a chest" sample chest --cell 5mm -q
+succeeds "its lobes, which share their triangles" lobes chest -o lobes -q
+succeeds "a tree in it" grow lobes --central chest/central.vtp --method centroid --terminals 500 -o tree.vtp -q
+succeeds "quiet breathing" breathe lobes tree.vtp -o breath.pvd --frames 8 --json
 keeps breathe
 for file in breath.pvd breath.csv breath.json breath.vtp.series breath_0000.vtp breath_0007.vtp breath_tree_0000.vtp breath_tree_0007.vtp; do
   expect "$file is not there" test -s "$file"
@@ -26,22 +27,22 @@ expect "the volume does not go up and down by half a litre" awk -F, '
 succeeds "a frame is a healthy surface" info breath_0003.vtp
 succeeds "a frame of the airways" info breath_tree_0003.vtp
 prints 'branches'
-succeeds "again" breathe chest tree.vtp -o again.pvd --frames 8 --threads 1 -q
+succeeds "again" breathe lobes tree.vtp -o again.pvd --frames 8 --threads 1 -q
 for n in 0 3; do
   expect "frame $n depends on the number of threads" cmp "breath_000$n.vtp" "again_000$n.vtp"
 done
 for scenario in vital-capacity pneumothorax; do
-  succeeds "$scenario" breathe chest -o "$scenario.pvd" --frames 2 --scenario "$scenario" -q
+  succeeds "$scenario" breathe lobes -o "$scenario.pvd" --frames 2 --scenario "$scenario" -q
 done
-succeeds "a volume and a period of its own" breathe chest -o own.pvd --frames 4 --tidal 800ml --period 4s
+succeeds "a volume and a period of its own" breathe lobes -o own.pvd --frames 4 --tidal 800ml --period 4s
 prints '800 ml in 4.0 s'
-succeeds "one lung" breathe chest/rul.stl chest/rml.stl chest/rll.stl -o right.pvd --frames 2
+succeeds "one lung" breathe lobes/rul.vtp lobes/rml.vtp lobes/rll.vtp -o right.pvd --frames 2
 prints '^ *right '
 
-refuses "a file that is there" 6 'exists' breathe chest -o breath.pvd
-refuses "another format" 5 'end in .pvd' breathe chest -o breath.vtp
-refuses "no frames" 2 'frames must lie in .1' breathe chest -o none.pvd --frames 0
-refuses "a scenario that is none" 2 'scenario.*quiet' breathe chest -o none.pvd --scenario copdd
+refuses "a file that is there" 6 'exists' breathe lobes -o breath.pvd
+refuses "another format" 5 'end in .pvd' breathe lobes -o breath.vtp
+refuses "no frames" 2 'frames must lie in .1' breathe lobes -o none.pvd --frames 0
+refuses "a scenario that is none" 2 'scenario.*quiet' breathe lobes -o none.pvd --scenario copdd
 refuses "lobes that are not there" 3 'no .*gone' breathe gone -o none.pvd
 refuses "a tree and no lung" 4 'no lung' breathe tree.vtp -o none.pvd
 refuses "half a lung" 4 'RML|RLL|missing' breathe chest/rul.stl -o none.pvd

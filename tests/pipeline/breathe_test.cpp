@@ -9,7 +9,9 @@
 #include "core/error.h"
 #include "core/parallel.h"
 #include "geometry/surface_domain.h"
+#include "pipeline/lobes_model.h"
 #include "pipeline/sample_chest.h"
+#include "pipeline/whole_lungs.h"
 
 namespace pneuma {
 namespace {
@@ -20,6 +22,7 @@ const LungModel& grownChest() {
     const SampleChest sample = sampleChest(4.0);
     LungModel model;
     model.surfaces = std::make_shared<const std::vector<LobeSurface>>(sample.lobes);
+    model = withLobes(withWholeLungs(model), {});  // which share their triangles
     model.central = std::make_shared<const AirwayTree>(sample.central);
     CentroidSplittingOptions options;
     options.terminals = 1000;

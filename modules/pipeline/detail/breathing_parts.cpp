@@ -6,8 +6,6 @@
 #include "core/error.h"
 #include "core/parallel.h"
 #include "geometry/surface_domain.h"
-#include "lobes/lobe_splitting.h"
-#include "lobes/welding.h"
 #include "pipeline/whole_lungs.h"
 
 namespace pneuma {
@@ -50,30 +48,6 @@ Vec3 hilumOf(const LungModel& model, Side of, const Box3& box) {
   return hilum;
 }
 
-/// What encloses the lobes of a lung, an empty mesh if they share no triangles, nothing if there
-/// are none. That it may touch itself, as lobes of other programs leave it, does no harm here.
-/// @throws InvalidInput if a lobe is missing
-std::optional<TriangleMesh> weldedWall(const LungModel& model, Side of) {
-  std::vector<std::pair<RegionId, const TriangleMesh*>> lobes;
-  for (const LobeSurface& surface : *model.surfaces) {
-    if (side(surface.lobe) == of) {
-      lobes.emplace_back(static_cast<RegionId>(surface.lobe), surface.mesh.get());
-    }
-  }
-  if (lobes.empty()) return std::nullopt;
-  for (const Lobe lobe : lobesOf(of)) {
-    if (std::ranges::none_of(lobes, [&](const auto& region) {
-          return region.first == static_cast<RegionId>(lobe);
-        })) {
-      throw InvalidInput("the " + std::string(longName(lobe)) +
-                         " is missing; a lung breathes as a whole");
-    }
-  }
-  const Welding welding = weld(lobes);
-  if (welding.sharedTriangles == 0) return TriangleMesh{};
-  return outerSurface(welding.complex);
-}
-
 std::vector<Vec3> displacements(const LungMotion& motion, const std::vector<Vec3>& points,
                                 const Progress& progress) {
   std::vector<Vec3> moved(points.size());
@@ -112,28 +86,17 @@ std::map<Side, TriangleMesh> wallsOf(const LungModel& model, std::vector<std::st
                        " mm long; are they in other units than mm? 'pneuma repair' and 'pneuma "
                        "export --from-units' change them");
   }
+  const bool lobes = std::ranges::none_of(*model.surfaces, isWhole, &LobeSurface::lobe);
+  const LungModel joined = lobes ? withWholeLungs(model, progress) : model;
+  requireSides(joined);
   std::map<Side, TriangleMesh> walls;
-  for (const LobeSurface& surface : *model.surfaces) {
+  for (const LobeSurface& surface : *joined.surfaces) {
     if (isWhole(surface.lobe)) walls.emplace(side(surface.lobe), *surface.mesh);
-  }
-  bool apart = false;
-  for (const Side of : {Side::Right, Side::Left}) {
-    if (walls.count(of) > 0) continue;
-    if (const auto wall = weldedWall(model, of)) {
-      apart |= wall->points.empty();
-      walls.emplace(of, *wall);
-    }
-    progress.throwIfStopped();
   }
   if (walls.empty()) {
     throw InvalidInput(
         "no surface is a lung or a lobe by its name; names carry right, left, rul, "
         "rml, rll, lul or lll");
-  }
-  if (!apart) return walls;
-  const LungModel joined = withWholeLungs(model, progress);
-  for (const LobeSurface& surface : *joined.surfaces) {
-    if (isWhole(surface.lobe)) walls[side(surface.lobe)] = *surface.mesh;
   }
   warnings.insert(warnings.end(),
                   joined.warnings.begin() + static_cast<std::ptrdiff_t>(model.warnings.size()),
