@@ -56,22 +56,25 @@ Vec3 LungMotion::at(const Vec3& p) const { return field_.at(p) + thicknessMm_ * 
 double LungMotion::scaleFor(const VolumePolynomial& volume, double volumeMm3) const {
   const std::optional<double> scale = scaleForVolume(volume, volumeMm3);
   if (scale && *scale >= minScale_ && *scale <= maxScale_) return *scale;
-  throw InvalidInput("at " + millilitres(volumeMm3) + " the " +
-                     (side_ == Side::Right ? "right" : "left") +
+  throw InvalidInput("at " + millilitres(volumeMm3) + " the " + std::string(name(side_)) +
                      " lung would fold; it does not from " + millilitres(volume.at(minScale_)) +
                      " to " + millilitres(volume.at(maxScale_)) + ": ask for a smaller breath");
 }
 
-double leastDeterminant(const LungMotion& motion, std::span<const Vec3> points, double s) {
+Eigen::Matrix3d gradientOf(const LungMotion& motion, const Vec3& p) {
   constexpr double HalfMm = 0.5;
+  Eigen::Matrix3d gradient;
+  for (int axis = 0; axis < 3; ++axis) {
+    const Vec3 step = HalfMm * Vec3::Unit(axis);
+    gradient.col(axis) = motion.at(p + step) - motion.at(p - step);
+  }
+  return gradient;
+}
+
+double leastDeterminant(const LungMotion& motion, std::span<const Vec3> points, double s) {
   std::vector<double> found(points.size());
   parallelFor(points.size(), [&](std::size_t n) {
-    Eigen::Matrix3d gradient;
-    for (int axis = 0; axis < 3; ++axis) {
-      const Vec3 step = HalfMm * Vec3::Unit(axis);
-      gradient.col(axis) = motion.at(points[n] + step) - motion.at(points[n] - step);
-    }
-    found[n] = (Eigen::Matrix3d::Identity() + s * gradient).determinant();
+    found[n] = (Eigen::Matrix3d::Identity() + s * gradientOf(motion, points[n])).determinant();
   });
   return found.empty() ? 1.0 : *std::ranges::min_element(found);
 }

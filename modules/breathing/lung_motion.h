@@ -64,7 +64,10 @@ class LungMotion {
   double minScale_ = 0.0;
 };
 
-/// The smallest determinant of I + s grad u at points in a lung, by differences over 1 mm. Above 0
+/// grad u at a point of a lung, by differences over 1 mm.
+Eigen::Matrix3d gradientOf(const LungMotion& motion, const Vec3& p);
+
+/// The smallest determinant of I + s grad u at points in a lung. Above 0
 /// nothing is turned inside out.
 double leastDeterminant(const LungMotion& motion, std::span<const Vec3> points, double s);
 

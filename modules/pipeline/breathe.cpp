@@ -3,12 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include <Eigen/LU>
-
 #include "core/error.h"
-#include "core/parallel.h"
 #include "pipeline/detail/breathing_parts.h"
-#include "pipeline/whole_lungs.h"
 
 namespace pneuma {
 namespace {
@@ -115,7 +111,7 @@ BreathingLungs breathe(const LungModel& given, const BreatheOptions& options,
   for (const auto& [side, motion] : lungs.motion) {
     lungs.leastDeterminant[side] = leastDeterminant(motion, probesIn(motion), SafeShare);
     if (lungs.leastDeterminant[side] <= 0.0) {
-      throw InvalidInput(std::string("the ") + (side == Side::Right ? "right" : "left") +
+      throw InvalidInput("the " + std::string(name(side)) +
                          " lung would be turned inside out at 1.5 times this breath; ask for a "
                          "smaller one with --tidal");
     }

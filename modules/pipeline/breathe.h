@@ -100,7 +100,7 @@ BreathingLungs breathe(const LungModel& model, const BreatheOptions& options,
 /// A surface at s, mm.
 TriangleMesh surfaceAt(const MovingSurface& surface, double scale);
 
-/// The tree at a moment, null if there is none.
+/// The tree at a moment. @pre there is one
 AirwayTree treeAt(const BreathingLungs& lungs, const BreathFrame& frame);
 
 /// The report of `pneuma breathe` ("pneuma/breathe/1").

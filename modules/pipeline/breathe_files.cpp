@@ -68,8 +68,8 @@ void writeFrame(const fs::path& path, const BreathingLungs& lungs, const BreathF
 std::string csvOf(const BreathingLungs& lungs) {
   std::string text = "frame,seconds,phase,pressure_cmH2O,flow_ml_per_s,volume_ml";
   for (const auto& [side, motion] : lungs.motion) {
-    const char* name = side == Side::Right ? "right" : "left";
-    text += std::string(",").append(name).append("_ml,").append(name).append("_scale");
+    const std::string lung(name(side));
+    text.append(",").append(lung).append("_ml,").append(lung).append("_scale");
   }
   text += "\n";
   const auto add = [&](double value) {

@@ -61,12 +61,7 @@ std::vector<Vec3> displacements(const LungMotion& motion, const std::vector<Vec3
 
 /// det(I + s G) = 1 + tr(G) s + (sum of the principal minors) s^2 + det(G) s^3.
 std::array<double, 3> determinantOf(const LungMotion& motion, const Vec3& p) {
-  constexpr double HalfMm = 0.5;
-  Eigen::Matrix3d g;
-  for (int axis = 0; axis < 3; ++axis) {
-    const Vec3 step = HalfMm * Vec3::Unit(axis);
-    g.col(axis) = motion.at(p + step) - motion.at(p - step);
-  }
+  const Eigen::Matrix3d g = gradientOf(motion, p);
   const double trace = g.trace();
   const double minors = 0.5 * (trace * trace - (g * g).trace());
   return {trace, minors, g.determinant()};
@@ -112,7 +107,7 @@ LungModel collapsed(const LungModel& model, Side of, double share,
     if (side(surface.lobe) == of) box.extend(bounds(*surface.mesh));
   }
   if (box.isEmpty()) {
-    throw InvalidInput(std::string("there is no ") + (of == Side::Right ? "right" : "left") +
+    throw InvalidInput("there is no " + std::string(name(of)) +
                        " lung to have a pneumothorax; choose the other with --affected");
   }
   const Vec3 hilum = hilumOf(model, of, box);
