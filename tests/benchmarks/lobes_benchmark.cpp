@@ -1,14 +1,17 @@
+#include <algorithm>
 #include <cmath>
 #include <map>
 
 #include <benchmark/benchmark.h>
 
 #include "core/random.h"
+#include "geometry/mesh_doctor.h"
 #include "geometry/self_intersections.h"
 #include "geometry/test_surfaces.h"
 #include "lobes/fissure_fit.h"
 #include "lobes/fissure_proposal.h"
 #include "lobes/lobe_splitting.h"
+#include "pipeline/lobe_labels.h"
 #include "pipeline/lobe_preview.h"
 
 // Splitting lungs into lobes, beside the full check of the lung for self-intersections.
@@ -58,7 +61,7 @@ void fiveLobes(benchmark::State& state) {
   state.counters["triangles"] = 2.0 * static_cast<double>(lung.triangles.size());
 }
 
-BENCHMARK(fiveLobes)->DenseRange(5, 7)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
+BENCHMARK(fiveLobes)->DenseRange(5, 8)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
 
 void fullCheckOfBothLungs(benchmark::State& state) {
   const TriangleMesh& lung = lungOf(static_cast<int>(state.range(0)));
@@ -68,9 +71,47 @@ void fullCheckOfBothLungs(benchmark::State& state) {
 }
 
 BENCHMARK(fullCheckOfBothLungs)
-    ->DenseRange(5, 7)
+    ->DenseRange(5, 8)
     ->Unit(benchmark::kMillisecond)
     ->MeasureProcessCPUTime();
+
+/// Labels of 512 x 512 x 400 voxels: both lungs, 12 % of them.
+void labelsOfFiveLobes(benchmark::State& state) {
+  LabelImage labels;
+  labels.geometry.size = {512, 512, 400};
+  labels.geometry.spacing = {0.68, 0.68, 0.75};
+  labels.geometry.origin = {-174.0, -174.0, -150.0};
+  labels.voxels.assign(labels.geometry.voxelCount(), 0);
+  auto surfaces = std::make_shared<std::vector<LobeSurface>>();
+  for (const Lobe lobe : {Lobe::RightLung, Lobe::LeftLung}) {
+    const double sign = lobe == Lobe::RightLung ? -1.0 : 1.0;
+    auto mesh = std::make_shared<TriangleMesh>(lungOf(6));
+    for (Vec3& p : mesh->points) p.x() += sign * 75.0;
+    const Box3 box = bounds(*mesh);
+    const auto value = static_cast<std::uint8_t>(sign < 0.0 ? 10 : 20);
+    for (int k = 0; k < 400; ++k) {
+      for (int j = 0; j < 512; ++j) {
+        for (int i = 0; i < 512; ++i) {
+          const Vec3 p =
+              labels.geometry.origin + labels.geometry.spacing.cwiseProduct(Vec3(i, j, k));
+          if (!box.contains(p)) continue;
+          const double z = p.z() / (115.0 * (1.0 - 0.15 * std::clamp(p.z() / 115.0, -1.0, 1.0)));
+          const double scale = 1.0 - 0.15 * std::clamp(z, -1.0, 1.0);
+          const Vec3 q = Vec3(p.x() - sign * 75.0, p.y(), p.z())
+                             .cwiseQuotient(scale * Vec3(55.0, 80.0, 115.0));
+          if (q.norm() < 0.98) labels.voxels[labels.geometry.index(i, j, k)] = value;
+        }
+      }
+    }
+    surfaces->push_back({lobe, "lung", mesh, examine(*mesh)});
+  }
+  LungModel model;
+  model.surfaces = std::move(surfaces);
+  const LobesOfLungs lobes = splitLobes(model, {});
+  for (auto _ : state) benchmark::DoNotOptimize(lobeLabels(labels, lobes));
+}
+
+BENCHMARK(labelsOfFiveLobes)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
 
 /// What a moved point of the right oblique fissure costs: the fit, every point's lobe, contours and
 /// volumes; what is drawn of the fissure as well.
