@@ -53,6 +53,12 @@ LungMotion::LungMotion(Side side, const TriangleMesh& wall, MotionPreset preset,
 
 Vec3 LungMotion::at(const Vec3& p) const { return field_.at(p) + thicknessMm_ * layer_.at(p); }
 
+FieldAt LungMotion::withGradientAt(const Vec3& p) const {
+  const FieldAt layer = layer_.withGradientAt(p);
+  return {field_.at(p) + thicknessMm_ * layer.value,
+          field_.gradientAt(p) + thicknessMm_ * layer.gradient};
+}
+
 double LungMotion::scaleFor(const VolumePolynomial& volume, double volumeMm3) const {
   const std::optional<double> scale = scaleForVolume(volume, volumeMm3);
   if (scale && *scale >= minScale_ && *scale <= maxScale_) return *scale;
@@ -61,7 +67,9 @@ double LungMotion::scaleFor(const VolumePolynomial& volume, double volumeMm3) co
                      " to " + millilitres(volume.at(maxScale_)) + ": ask for a smaller breath");
 }
 
-Eigen::Matrix3d gradientOf(const LungMotion& motion, const Vec3& p) {
+namespace {
+
+Eigen::Matrix3d differencesAt(const LungMotion& motion, const Vec3& p) {
   constexpr double HalfMm = 0.5;
   Eigen::Matrix3d gradient;
   for (int axis = 0; axis < 3; ++axis) {
@@ -71,10 +79,12 @@ Eigen::Matrix3d gradientOf(const LungMotion& motion, const Vec3& p) {
   return gradient;
 }
 
+}  // namespace
+
 double leastDeterminant(const LungMotion& motion, std::span<const Vec3> points, double s) {
   std::vector<double> found(points.size());
   parallelFor(points.size(), [&](std::size_t n) {
-    found[n] = (Eigen::Matrix3d::Identity() + s * gradientOf(motion, points[n])).determinant();
+    found[n] = (Eigen::Matrix3d::Identity() + s * differencesAt(motion, points[n])).determinant();
   });
   return found.empty() ? 1.0 : *std::ranges::min_element(found);
 }

@@ -35,6 +35,10 @@ class LungMotion {
   /// u of any point in the lung, mm. May be called from several threads.
   Vec3 at(const Vec3& p) const;
 
+  /// u and grad u of any point, by one look for the nearest wall. May be called from several
+  /// threads.
+  FieldAt withGradientAt(const Vec3& p) const;
+
   /// The s at which the lung has this volume. @throws InvalidInput outside of minScale() and
   /// maxScale(), naming the volumes that do not fold the lung
   double scaleFor(double volumeMm3) const { return scaleFor(volume_, volumeMm3); }
@@ -64,11 +68,8 @@ class LungMotion {
   double minScale_ = 0.0;
 };
 
-/// grad u at a point of a lung, by differences over 1 mm.
-Eigen::Matrix3d gradientOf(const LungMotion& motion, const Vec3& p);
-
-/// The smallest determinant of I + s grad u at points in a lung. Above 0
-/// nothing is turned inside out.
+/// The smallest determinant of I + s grad u at points in a lung, grad u by differences over 1 mm.
+/// Above 0 nothing is turned inside out.
 double leastDeterminant(const LungMotion& motion, std::span<const Vec3> points, double s);
 
 }  // namespace pneuma

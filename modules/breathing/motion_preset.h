@@ -28,6 +28,9 @@ class PresetField {
   /// LPS, mm.
   Vec3 at(const Vec3& p) const;
 
+  /// How the field changes from place to place; a row for each part of the displacement.
+  Eigen::Matrix3d gradientAt(const Vec3& p) const;
+
  private:
   MotionPreset preset_;
   LungFrame frame_;

@@ -5,6 +5,7 @@
 #include <string>
 
 #include <Eigen/IterativeLinearSolvers>
+#include <Eigen/LU>
 #include <Eigen/SparseCore>
 
 #include "breathing/volume_polynomial.h"
@@ -18,6 +19,8 @@ constexpr double DepthMm = 15.0;
 constexpr double SmoothMm = 10.0;
 constexpr double MostCotangent = 100.0;  // of slivers
 constexpr double SolvedTo = 1e-8;
+constexpr double NearWallMm = 1e-6;
+constexpr double LeastStretch = 0.1;
 constexpr double MostMm = 10.0;  // of a; its slope in depth is a / 15 mm
 
 std::vector<Vec3> areaNormals(const TriangleMesh& surface) {
@@ -81,15 +84,56 @@ std::vector<Vec3> smoothedNormals(const TriangleMesh& surface) {
   return normals;
 }
 
+/// The gradient of the normals along the surface at each point, mean of the triangles around it by
+/// their area.
+std::vector<Eigen::Matrix3d> bendsOf(const TriangleMesh& surface,
+                                     const std::vector<Vec3>& normals) {
+  std::vector<Eigen::Matrix3d> bends(normals.size(), Eigen::Matrix3d::Zero());
+  std::vector<double> areas(normals.size(), 0.0);
+  for (const auto& triangle : surface.triangles) {
+    const Vec3& a = surface.points[triangle[0]];
+    const Vec3 area = (surface.points[triangle[1]] - a).cross(surface.points[triangle[2]] - a);
+    const double whole = area.squaredNorm();
+    if (!(whole > 0.0)) continue;
+    Eigen::Matrix3d bend = Eigen::Matrix3d::Zero();
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      const Vec3 opposite =
+          surface.points[triangle[(corner + 2) % 3]] - surface.points[triangle[(corner + 1) % 3]];
+      bend += normals[triangle[corner]] * (area.cross(opposite) / whole).transpose();
+    }
+    for (const std::uint32_t n : triangle) {
+      bends[n] += std::sqrt(whole) * bend;
+      areas[n] += std::sqrt(whole);
+    }
+  }
+  for (std::size_t n = 0; n < bends.size(); ++n) {
+    if (areas[n] > 0.0) bends[n] /= areas[n];
+  }
+  return bends;
+}
+
 }  // namespace
 
 struct VolumeLayer::Surface {
   TriangleMesh mesh;
   std::vector<Vec3> normals;
+  std::vector<Eigen::Matrix3d> bends;  ///< what the normals change by along the surface
   NearestTriangle nearest;
 
   explicit Surface(const TriangleMesh& surface)
-      : mesh(surface), normals(smoothedNormals(surface)), nearest(mesh) {}
+      : mesh(surface),
+        normals(smoothedNormals(surface)),
+        bends(bendsOf(surface, normals)),
+        nearest(mesh) {}
+
+  /// The nearest place of the surface: the point and what its triangle's corners weigh there.
+  struct Foot {
+    Vec3 point;
+    std::array<std::uint32_t, 3> corners;
+    Vec3 weights;
+  };
+
+  Foot footOf(const Vec3& p) const;
 };
 
 VolumeLayer::VolumeLayer(const TriangleMesh& surface)
@@ -110,22 +154,51 @@ double VolumeLayer::thicknessFor(std::span<const Vec3> displacement, double want
                      " ml near its wall; ask for a smaller change of volume");
 }
 
-Vec3 VolumeLayer::at(const Vec3& p) const {
-  const NearestTriangle::Hit hit = surface_->nearest.nearest(p);
-  const auto& triangle = surface_->mesh.triangles[hit.triangle];
-  const Vec3& a = surface_->mesh.points[triangle[0]];
-  const Vec3& b = surface_->mesh.points[triangle[1]];
-  const Vec3& c = surface_->mesh.points[triangle[2]];
+VolumeLayer::Surface::Foot VolumeLayer::Surface::footOf(const Vec3& p) const {
+  const NearestTriangle::Hit hit = nearest.nearest(p);
+  Foot foot{hit.point, mesh.triangles[hit.triangle], Vec3::UnitX()};
+  const Vec3& a = mesh.points[foot.corners[0]];
+  const Vec3& b = mesh.points[foot.corners[1]];
+  const Vec3& c = mesh.points[foot.corners[2]];
   const Vec3 area = (b - a).cross(c - a);
   const double whole = area.squaredNorm();
-  Vec3 normal = surface_->normals[triangle[0]];
   if (whole > 0.0) {
     const double first = area.dot((b - hit.point).cross(c - hit.point)) / whole;
     const double second = area.dot((c - hit.point).cross(a - hit.point)) / whole;
-    normal = first * surface_->normals[triangle[0]] + second * surface_->normals[triangle[1]] +
-             (1.0 - first - second) * surface_->normals[triangle[2]];
+    foot.weights = {first, second, 1.0 - first - second};
   }
-  return std::exp(-(p - hit.point).norm() / DepthMm) * normal;
+  return foot;
+}
+
+Vec3 VolumeLayer::at(const Vec3& p) const {
+  const Surface::Foot foot = surface_->footOf(p);
+  Vec3 normal = Vec3::Zero();
+  for (Eigen::Index n = 0; n < 3; ++n) {
+    normal += foot.weights[n] * surface_->normals[foot.corners[static_cast<std::size_t>(n)]];
+  }
+  return std::exp(-(p - foot.point).norm() / DepthMm) * normal;
+}
+
+FieldAt VolumeLayer::withGradientAt(const Vec3& p) const {
+  const Surface::Foot foot = surface_->footOf(p);
+  Vec3 normal = Vec3::Zero();
+  Eigen::Matrix3d bend = Eigen::Matrix3d::Zero();
+  for (Eigen::Index n = 0; n < 3; ++n) {
+    const std::uint32_t corner = foot.corners[static_cast<std::size_t>(n)];
+    normal += foot.weights[n] * surface_->normals[corner];
+    bend += foot.weights[n] * surface_->bends[corner];
+  }
+  const double depth = (p - foot.point).norm();
+  const double share = std::exp(-depth / DepthMm);
+  const Vec3 inwards = depth > NearWallMm ? Vec3((p - foot.point) / depth) : Vec3(-normal);
+  const Eigen::Matrix3d along = Eigen::Matrix3d::Identity() - inwards * inwards.transpose();
+  const double below = inwards.dot(normal) < 0.0 ? depth : -depth;
+  const Eigen::Matrix3d stretch = Eigen::Matrix3d::Identity() - below * bend;
+  // Deeper than the wall is bent, several places of it are nearest.
+  const bool focused = stretch.determinant() < LeastStretch;
+  const Eigen::Matrix3d change =
+      focused ? Eigen::Matrix3d(bend * along) : Eigen::Matrix3d(bend * stretch.inverse() * along);
+  return {share * normal, share * (change - normal * inwards.transpose() / DepthMm)};
 }
 
 }  // namespace pneuma

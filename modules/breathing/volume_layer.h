@@ -8,6 +8,12 @@
 
 namespace pneuma {
 
+/// A field of displacements at one place.
+struct FieldAt {
+  Vec3 value = Vec3::Zero();                           ///< mm
+  Eigen::Matrix3d gradient = Eigen::Matrix3d::Zero();  ///< row: part of the value
+};
+
 /// A thin layer below a lung's surface that takes up what a displacement field lacks in volume:
 /// u + a N exp(-d / 15 mm), N the smoothed normal of the nearest surface, d the distance to it. To
 /// scale the whole field instead would move the inside too far, which expands less than the lung.
@@ -30,6 +36,10 @@ class VolumeLayer {
   /// N exp(-d / 15 mm) at any point; N at the surface's own points. Queries may run on several
   /// threads.
   Vec3 at(const Vec3& p) const;
+
+  /// The same and how it changes from place to place, as though the wall were as smooth as its
+  /// normals are: with S what they change by along the wall, S (I - d S)^-1 at the depth d.
+  FieldAt withGradientAt(const Vec3& p) const;
 
  private:
   struct Surface;

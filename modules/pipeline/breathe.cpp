@@ -134,16 +134,10 @@ AirwayTree treeAt(const BreathingLungs& lungs, const BreathFrame& frame) {
   AirwayTree moved;
   moved.reserve(lungs.tree->size());
   for (std::size_t n = 0; n < lungs.tree->size(); ++n) {
-    Branch branch = (*lungs.tree)[n];
+    const Branch& branch = (*lungs.tree)[n];
     const auto scale = frame.scale.find(side(branch.lobe));
-    if (scale != frame.scale.end()) {
-      branch.proximal += scale->second * lungs.treeEnds[n][0];
-      branch.distal += scale->second * lungs.treeEnds[n][1];
-      for (std::size_t v = 0; v < branch.via.size(); ++v) {
-        branch.via[v].position += scale->second * lungs.treeVia[n][v];
-      }
-    }
-    moved.add(std::move(branch));
+    const double s = scale == frame.scale.end() ? 0.0 : scale->second;
+    moved.add(movedBranch(branch, lungs.treeMotion, n, s));
   }
   return moved;
 }

@@ -7,6 +7,7 @@
 #include <tuple>
 #include <vector>
 
+#include "anatomy/tree_motion.h"
 #include "breathing/breath_cycle.h"
 #include "breathing/lung_motion.h"
 #include "core/options.h"
@@ -78,9 +79,8 @@ struct BreathingLungs {
   std::map<Side, LungMotion> motion;
   std::map<Side, VolumePolynomial> volume;  ///< of what the surfaces of a lung enclose together
   std::vector<MovingSurface> surfaces;
-  std::shared_ptr<const AirwayTree> tree;     ///< null without one
-  std::vector<std::array<Vec3, 2>> treeEnds;  ///< displacements of its branches' ends at s = 1, mm
-  std::vector<std::vector<Vec3>> treeVia;     ///< and of the points between
+  std::shared_ptr<const AirwayTree> tree;  ///< null without one
+  TreeMotion treeMotion;                   ///< at s = 1
   std::vector<BreathFrame> frames;
   std::map<Side, double> leastDeterminant;  ///< in each lung, at 1.5 times what is used
   std::vector<std::string> warnings;        ///< whole sentences

@@ -25,7 +25,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double VoxelMm = 1.0;
 constexpr double GapRadiusMm = 3.0;
 constexpr int MarginVoxels = 8;
 /// Voxels that lobes have together differ from the sum of their volumes by less, unless they
@@ -92,7 +91,7 @@ bool sound(const MeshReport& health) {
 }
 
 /// A lung drawn anew from the voxels of its lobes.
-TriangleMesh fromVoxels(std::span<const LobeSurface* const> lobes, Lobe lung,
+TriangleMesh fromVoxels(std::span<const LobeSurface* const> lobes, Lobe lung, double voxelMm,
                         const Progress& progress) {
   Box3 box;
   double sum = 0.0;
@@ -101,7 +100,7 @@ TriangleMesh fromVoxels(std::span<const LobeSurface* const> lobes, Lobe lung,
     sum += signedVolumeMm3(*lobe->mesh);
   }
   LabelImage image;
-  image.geometry = geometryAround(box, VoxelMm, MarginVoxels);
+  image.geometry = geometryAround(box, voxelMm, MarginVoxels);
   image.voxels.assign(image.geometry.voxelCount(), 0);
   for (const LobeSurface* lobe : lobes) {
     const std::vector<std::uint8_t> inside = voxelsInside(*lobe->mesh, image.geometry, progress);
@@ -119,7 +118,7 @@ TriangleMesh fromVoxels(std::span<const LobeSurface* const> lobes, Lobe lung,
   return mesh;
 }
 
-LobeSurface joined(std::span<const LobeSurface* const> lobes, Lobe lung,
+LobeSurface joined(std::span<const LobeSurface* const> lobes, Lobe lung, double voxelMm,
                    std::vector<std::string>& warnings, const Progress& progress) {
   std::vector<std::pair<RegionId, const TriangleMesh*>> surfaces;
   for (const LobeSurface* lobe : lobes) {
@@ -139,13 +138,13 @@ LobeSurface joined(std::span<const LobeSurface* const> lobes, Lobe lung,
   const bool welded = welding.conflicts == 0 && sound(result.health) &&
                       result.health.components == 1 && result.health.fitToGrow();
   if (!welded) {
-    mesh = fromVoxels(lobes, lung, progress.part(0.2, 0.9, "joining lobes"));
+    mesh = fromVoxels(lobes, lung, voxelMm, progress.part(0.2, 0.9, "joining lobes"));
     result.health = examine(mesh, SelfIntersections::Ask, progress.part(0.9, 1.0, "joining lobes"));
     warnings.push_back("the lobes of the " + std::string(longName(lung)) +
                        (welding.sharedTriangles == 0
                             ? " share no triangles"
                             : " share triangles and leave a surface that touches itself") +
-                       "; the lung was drawn anew from voxels of " + fixed(VoxelMm, 0) +
+                       "; the lung was drawn anew from voxels of " + fixed(voxelMm, 0) +
                        " mm, with their volume");
   }
   result.mesh = std::make_shared<const TriangleMesh>(std::move(mesh));
@@ -208,7 +207,7 @@ LungModel untangled(const LungModel& model, const Progress& progress) {
   return result;
 }
 
-LungModel withWholeLungs(const LungModel& model, const Progress& progress) {
+LungModel withWholeLungs(const LungModel& model, const Progress& progress, double voxelMm) {
   LungModel result = model;
   auto surfaces = std::make_shared<std::vector<LobeSurface>>();
   double from = 0.0;
@@ -231,7 +230,7 @@ LungModel withWholeLungs(const LungModel& model, const Progress& progress) {
       throw InvalidInput("to join the lobes of the " + std::string(longName(lung)) +
                          " all of them are needed;" + missing + " is missing");
     }
-    surfaces->push_back(joined(lobes, lung, result.warnings, part));
+    surfaces->push_back(joined(lobes, lung, voxelMm, result.warnings, part));
   }
   if (!surfaces->empty()) result.surfaces = std::move(surfaces);
   result.regions = nullptr;

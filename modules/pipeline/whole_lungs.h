@@ -36,10 +36,11 @@ LungModel openLungs(std::span<const std::filesystem::path> paths,
 
 /// The same with lobes joined to whole lungs. Lobes that share their triangles are welded: nothing
 /// moves, and the volume is the sum of theirs. Where they do not share them, or where the weld is
-/// not sound, the lung is drawn anew from voxels of 1 mm: gaps of up to 6 mm between lobes are
+/// not sound, the lung is drawn anew from voxels: gaps of up to 6 mm between lobes are
 /// closed, and the lobes' volume is kept; a warning says so.
 /// @throws InvalidInput if a lobe of a lung is missing, or is open
-LungModel withWholeLungs(const LungModel& model, const Progress& progress = {});
+LungModel withWholeLungs(const LungModel& model, const Progress& progress = {},
+                         double voxelMm = 1.0);
 
 /// The same without triangles that cut each other: the few folds that surfaces drawn from voxels
 /// have are smoothed away, see untangle(); a warning says so.

@@ -82,6 +82,35 @@ TEST_P(Motions, GiveTheWallAndItsInsideOneField) {
   }
 }
 
+TEST_P(Motions, KnowHowTheyChangeFromPlaceToPlace) {
+  const TriangleMesh mesh = egg();
+  const LungMotion moved = motion(mesh);
+  double most = 0.0;
+  double sum = 0.0;
+  int count = 0;
+  for (double share = 0.35; share < 1.0; share += 0.1) {
+    const TriangleMesh shell = egg(share);
+    for (std::size_t n = 0; n < shell.points.size(); n += 41) {
+      const Vec3& p = shell.points[n];
+      const FieldAt field = moved.withGradientAt(p);
+      EXPECT_EQ(field.value, moved.at(p));
+      // Over a length of several triangles, as the field itself has their edges in it.
+      constexpr double HalfMm = 2.0;
+      Eigen::Matrix3d differences;
+      for (int axis = 0; axis < 3; ++axis) {
+        const Vec3 step = HalfMm * Vec3::Unit(axis);
+        differences.col(axis) = (moved.at(p + step) - moved.at(p - step)) / (2.0 * HalfMm);
+      }
+      const double off = (field.gradient - differences).cwiseAbs().maxCoeff();
+      most = std::max(most, off);
+      sum += off;
+      ++count;
+    }
+  }
+  EXPECT_LT(sum / count, 0.002 * std::abs(moved.layerMm()));
+  EXPECT_LT(most, 0.03 * std::abs(moved.layerMm()));
+}
+
 TEST_P(Motions, TurnNothingInsideOut) {
   const TriangleMesh mesh = egg();
   const LungMotion moved = motion(mesh);

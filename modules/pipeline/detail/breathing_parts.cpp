@@ -13,6 +13,8 @@ namespace {
 
 constexpr double RampMm = 30.0;  // over which airways take up the motion of their lobe
 constexpr double SmallestLungMm = 50.0;
+constexpr double WallVoxelMm =
+    2.0;  // of walls around lobes that overlap; volumes are the lobes' own
 constexpr std::size_t ChunkPoints = 4096;
 
 bool isWhole(Lobe lobe) { return lobe == Lobe::RightLung || lobe == Lobe::LeftLung; }
@@ -48,20 +50,8 @@ Vec3 hilumOf(const LungModel& model, Side of, const Box3& box) {
   return hilum;
 }
 
-std::vector<Vec3> displacements(const LungMotion& motion, const std::vector<Vec3>& points,
-                                const Progress& progress) {
-  std::vector<Vec3> moved(points.size());
-  for (std::size_t begin = 0; begin < points.size(); begin += ChunkPoints) {
-    progress.throwIfStopped();
-    const std::size_t count = std::min(ChunkPoints, points.size() - begin);
-    parallelFor(count, [&](std::size_t n) { moved[begin + n] = motion.at(points[begin + n]); });
-  }
-  return moved;
-}
-
 /// det(I + s G) = 1 + tr(G) s + (sum of the principal minors) s^2 + det(G) s^3.
-std::array<double, 3> determinantOf(const LungMotion& motion, const Vec3& p) {
-  const Eigen::Matrix3d g = gradientOf(motion, p);
+std::array<double, 3> determinantOf(const Eigen::Matrix3d& g) {
   const double trace = g.trace();
   const double minors = 0.5 * (trace * trace - (g * g).trace());
   return {trace, minors, g.determinant()};
@@ -82,7 +72,7 @@ std::map<Side, TriangleMesh> wallsOf(const LungModel& model, std::vector<std::st
                        "export --from-units' change them");
   }
   const bool lobes = std::ranges::none_of(*model.surfaces, isWhole, &LobeSurface::lobe);
-  const LungModel joined = lobes ? withWholeLungs(model, progress) : model;
+  const LungModel joined = lobes ? withWholeLungs(model, progress, WallVoxelMm) : model;
   requireSides(joined);
   std::map<Side, TriangleMesh> walls;
   for (const LobeSurface& surface : *joined.surfaces) {
@@ -154,14 +144,18 @@ std::vector<MovingSurface> movingSurfaces(const LungModel& model,
     const auto found = motion.find(side(surface.lobe));
     if (found == motion.end()) continue;
     const LungMotion& of = found->second;
-    MovingSurface moving{
-        surface, found->first, displacements(of, surface.mesh->points, progress), {}};
-    moving.volumeChange.resize(surface.mesh->points.size());
-    for (std::size_t begin = 0; begin < moving.volumeChange.size(); begin += ChunkPoints) {
+    const std::vector<Vec3>& points = surface.mesh->points;
+    MovingSurface moving{surface, found->first, {}, {}};
+    moving.displacement.resize(points.size());
+    moving.volumeChange.resize(points.size());
+    for (std::size_t begin = 0; begin < points.size(); begin += ChunkPoints) {
       progress.throwIfStopped();
-      const std::size_t count = std::min(ChunkPoints, moving.volumeChange.size() - begin);
-      parallelFor(count, [&](std::size_t n) {
-        moving.volumeChange[begin + n] = determinantOf(of, surface.mesh->points[begin + n]);
+      const std::size_t count = std::min(ChunkPoints, points.size() - begin);
+      parallelFor(count, [&](std::size_t offset) {
+        const std::size_t n = begin + offset;
+        const FieldAt field = of.withGradientAt(points[n]);
+        moving.displacement[n] = field.value;
+        moving.volumeChange[n] = determinantOf(field.gradient);
       });
     }
     surfaces.push_back(std::move(moving));
@@ -193,30 +187,30 @@ void moveTree(BreathingLungs& lungs, const Progress& progress) {
                        " airways are within their box; are both of the same person?");
   }
   const std::vector<double> depths = depthsMm(tree);
-  lungs.treeEnds.assign(tree.size(), {Vec3::Zero(), Vec3::Zero()});
-  lungs.treeVia.resize(tree.size());
+  lungs.treeMotion.ends.assign(tree.size(), {Vec3::Zero(), Vec3::Zero()});
+  lungs.treeMotion.via.resize(tree.size());
   for (std::size_t begin = 0; begin < tree.size(); begin += ChunkPoints) {
     progress.throwIfStopped();
     progress.report(static_cast<double>(begin) / static_cast<double>(tree.size()));
     parallelFor(std::min(ChunkPoints, tree.size() - begin), [&](std::size_t offset) {
       const std::size_t n = begin + offset;
       const Branch& branch = tree[n];
-      lungs.treeVia[n].assign(branch.via.size(), Vec3::Zero());
+      lungs.treeMotion.via[n].assign(branch.via.size(), Vec3::Zero());
       const auto motion = lungs.motion.find(side(branch.lobe));
       if (motion == lungs.motion.end()) return;
       double depth = depths[n];
       const auto moved = [&](const Vec3& p) {
         return Vec3(ramp(depth / RampMm) * motion->second.at(p));
       };
-      lungs.treeEnds[n][0] = moved(branch.proximal);
+      lungs.treeMotion.ends[n][0] = moved(branch.proximal);
       Vec3 last = branch.proximal;
       for (std::size_t v = 0; v < branch.via.size(); ++v) {
         depth += (branch.via[v].position - last).norm();
         last = branch.via[v].position;
-        lungs.treeVia[n][v] = moved(last);
+        lungs.treeMotion.via[n][v] = moved(last);
       }
       depth += (branch.distal - last).norm();
-      lungs.treeEnds[n][1] = moved(branch.distal);
+      lungs.treeMotion.ends[n][1] = moved(branch.distal);
     });
   }
 }
