@@ -7,9 +7,10 @@
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
+#include <vtkShaderProperty.h>
 
+#include "render/breath_shader.h"
 #include "render/convert.h"
-#include "render/tube_mesh.h"
 
 namespace pneuma {
 namespace {
@@ -17,12 +18,20 @@ namespace {
 constexpr double LineBelowMm = 0.6;  // while dragging, thinner airways are lines
 constexpr Rgb Highlight = rgbOfHex(0xff5a1f);
 
-void show(vtkActor* actor, vtkPolyData* data) {
+/// Shows a mesh that may breathe.
+template <class Mesh>
+void showMesh(vtkActor* actor, const Mesh& mesh, const AirwayTree* tree,
+              const BreathingScene* breathing, const BreathScale& scale) {
   vtkNew<vtkPolyDataMapper> mapper;
+  const vtkSmartPointer<vtkPolyData> data = polyDataOf(mesh);
   mapper->SetInputData(data);
   mapper->SetScalarModeToUsePointData();
   mapper->StaticOn();
   actor->SetMapper(mapper);
+  actor->GetShaderProperty()->ClearAllVertexShaderReplacements();
+  if (breathing == nullptr || tree == nullptr) return;
+  letBreathe(actor, data, breathAttributes(*tree, breathing->tree, mesh.points, mesh.branches));
+  setBreath(actor, scale);
 }
 
 void makeShiny(vtkActor* actor) {
@@ -49,8 +58,7 @@ bool differInTubes(const SceneOptions& a, const SceneOptions& b) {
 }  // namespace
 
 AirwayLayer::AirwayLayer(vtkRenderer* renderer) {
-  for (vtkActor* actor : {tubes_.Get(), coarseTubes_.Get(), coarseLines_.Get(), givenTubes_.Get(),
-                          selection_.Get()}) {
+  for (vtkActor* actor : actors()) {
     makeShiny(actor);
     actor->VisibilityOff();
     actor->PickableOff();
@@ -61,7 +69,55 @@ AirwayLayer::AirwayLayer(vtkRenderer* renderer) {
   selection_->GetProperty()->SetAmbient(0.45);
 }
 
+std::array<vtkActor*, 5> AirwayLayer::actors() const {
+  return {tubes_.Get(), coarseTubes_.Get(), coarseLines_.Get(), givenTubes_.Get(),
+          selection_.Get()};
+}
+
+void AirwayLayer::show(vtkActor* actor, const TubeMesh& mesh) {
+  showMesh(actor, mesh, tree_.get(), breathing_.get(), scale_);
+}
+
+void AirwayLayer::show(vtkActor* actor, const LineMesh& mesh) {
+  showMesh(actor, mesh, tree_.get(), breathing_.get(), scale_);
+}
+
+void AirwayLayer::setBreathing(std::shared_ptr<const BreathingScene> breathing) {
+  if (breathing && tree_ && breathing->tree.ends.size() != tree_->size()) breathing.reset();
+  if (breathing == breathing_) return;
+  breathing_ = std::move(breathing);
+  scale_ = {};
+  rebuild();
+}
+
+void AirwayLayer::setBreath(const BreathScale& scale) {
+  if (!breathing_ || scale == scale_) return;
+  scale_ = scale;
+  for (vtkActor* actor :
+       {tubes_.Get(), coarseTubes_.Get(), coarseLines_.Get(), givenTubes_.Get()}) {
+    if (actor->GetMapper() != nullptr) pneuma::setBreath(actor, scale_);
+  }
+  if (selected_) buildSelection();
+}
+
+Branch AirwayLayer::movedBranchOf(std::size_t n) const {
+  const Branch& branch = (*tree_)[n];
+  if (!breathing_) return branch;
+  return movedBranch(branch, breathing_->tree, n, scale_.of(side(branch.lobe)));
+}
+
+std::shared_ptr<const AirwayTree> AirwayLayer::movedTree() const {
+  if (!tree_ || !breathing_ || scale_ == BreathScale{}) return tree_;
+  auto moved = std::make_shared<AirwayTree>();
+  moved->reserve(tree_->size());
+  for (std::size_t n = 0; n < tree_->size(); ++n) {
+    moved->add(movedBranchOf(n));
+  }
+  return moved;
+}
+
 void AirwayLayer::setTree(std::shared_ptr<const AirwayTree> tree, const SceneOptions& options) {
+  breathing_.reset();
   tree_ = std::move(tree);
   if (tree_ != nullptr && tree_->empty()) tree_.reset();
   options_ = options;
@@ -110,8 +166,8 @@ void AirwayLayer::rebuild() {
       addLobes(*peer, branchesUpTo(*peer, options_.maxGeneration), lobes_);
     }
     colours_ = branchColours(*tree_, visible_, options_, peers_);
-    show(tubes_, polyDataOf(tubeMesh(*tree_, visible_, colours_.colours,
-                                     {.radiusScale = options_.radiusScale})));
+    show(tubes_,
+         tubeMesh(*tree_, visible_, colours_.colours, {.radiusScale = options_.radiusScale}));
   }
   if (previewing_) buildGiven();
   setInteractive(interactive_);
@@ -122,8 +178,8 @@ void AirwayLayer::buildCoarse() {
   coarseBuilt_ = true;
   if (tree_ == nullptr) return;
   const TubeOptions wide = {.radiusScale = options_.radiusScale, .minRadiusMm = LineBelowMm};
-  show(coarseTubes_, polyDataOf(tubeMesh(*tree_, visible_, colours_.colours, wide)));
-  show(coarseLines_, polyDataOf(lineMesh(*tree_, visible_, colours_.colours, LineBelowMm)));
+  show(coarseTubes_, tubeMesh(*tree_, visible_, colours_.colours, wide));
+  show(coarseLines_, lineMesh(*tree_, visible_, colours_.colours, LineBelowMm));
 }
 
 void AirwayLayer::buildGiven() {
@@ -132,21 +188,22 @@ void AirwayLayer::buildGiven() {
   for (std::size_t i = 0; i < tree_->size(); ++i) {
     given_[i] = given_[i] && (*tree_)[i].origin != Origin::Grown;
   }
-  show(givenTubes_, polyDataOf(tubeMesh(*tree_, given_, colours_.colours,
-                                        {.radiusScale = options_.radiusScale})));
+  show(givenTubes_,
+       tubeMesh(*tree_, given_, colours_.colours, {.radiusScale = options_.radiusScale}));
 }
 
 void AirwayLayer::buildSelection() {
   showActors();
   if (!selected_.has_value()) return;
   // The branch alone, thicker than it is so that it stands out and covers its own tube.
-  Branch branch = (*tree_)[*selected_];
+  Branch branch = movedBranchOf(*selected_);
   branch.parent = -1;
   const double scale = std::max(1.15, 1.0 + 0.35 / std::max(branch.radiusMm, 0.05));
   AirwayTree alone;
   alone.add(std::move(branch));
-  show(selection_, polyDataOf(tubeMesh(alone, {true}, {Highlight},
-                                       {.radiusScale = scale * options_.radiusScale})));
+  showMesh(selection_,
+           tubeMesh(alone, {true}, {Highlight}, {.radiusScale = scale * options_.radiusScale}),
+           nullptr, nullptr, {});
 }
 
 void AirwayLayer::showActors() {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <set>
@@ -11,7 +12,9 @@
 
 #include "anatomy/airway_tree.h"
 #include "render/branch_colours.h"
+#include "render/breathing_scene.h"
 #include "render/scene.h"
+#include "render/tube_mesh.h"
 
 class vtkRenderer;
 
@@ -38,6 +41,14 @@ class AirwayLayer {
 
   void select(std::optional<std::size_t> branch);
 
+  /// Lets the airways move with the lungs, or stand (null). Kept, not copied.
+  void setBreathing(std::shared_ptr<const BreathingScene> breathing);
+
+  void setBreath(const BreathScale& scale);
+
+  /// The tree where it stands at the moment; null without one.
+  std::shared_ptr<const AirwayTree> movedTree() const;
+
   const AirwayTree* tree() const { return tree_.get(); }
 
   std::span<const std::shared_ptr<const AirwayTree>> peers() const { return peers_; }
@@ -51,6 +62,11 @@ class AirwayLayer {
   const Legend& legend() const { return colours_.legend; }
 
  private:
+  void show(vtkActor* actor, const TubeMesh& mesh);
+  void show(vtkActor* actor, const LineMesh& mesh);
+  std::array<vtkActor*, 5> actors() const;
+  /// Where it stands at the moment.
+  Branch movedBranchOf(std::size_t n) const;
   void rebuild();
   void buildCoarse();
   void buildGiven();
@@ -68,6 +84,8 @@ class AirwayLayer {
   bool interactive_ = false;
   bool coarseBuilt_ = false;
   bool previewing_ = false;
+  std::shared_ptr<const BreathingScene> breathing_;
+  BreathScale scale_;
   vtkNew<vtkActor> tubes_;
   vtkNew<vtkActor> coarseTubes_;
   vtkNew<vtkActor> coarseLines_;

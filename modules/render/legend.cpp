@@ -56,6 +56,23 @@ std::vector<double> wholeTicks(double low, double high) {
   return ticks;
 }
 
+/// About five round numbers.
+std::vector<double> evenTicks(double low, double high) {
+  const double range = high - low;
+  if (!(range > 0.0)) return {};
+  const double decade = std::pow(10.0, std::floor(std::log10(range / 5.0)));
+  double step = decade;
+  for (const double digit : {1.0, 2.0, 5.0, 10.0}) {
+    step = digit * decade;
+    if (range / step <= 6.0) break;
+  }
+  std::vector<double> ticks;
+  for (double n = std::ceil(low / step - 1e-9); n * step <= high + 1e-9 * range; n += 1.0) {
+    ticks.push_back(n * step);
+  }
+  return ticks;
+}
+
 }  // namespace
 
 Legend lobeLegend(const std::set<Lobe>& lobes, Palette palette, Background background) {
@@ -73,8 +90,9 @@ Scale::Scale(Kind kind, double low, double high) : kind_(kind), low_(low), high_
 
 double Scale::position(double value) const {
   if (high_ <= low_) return 1.0;
-  const double t = kind_ == Kind::Count ? (value - low_) / (high_ - low_)
-                                        : std::log(value / low_) / std::log(high_ / low_);
+  const double t = kind_ == Kind::Count || kind_ == Kind::Linear
+                       ? (value - low_) / (high_ - low_)
+                       : std::log(value / low_) / std::log(high_ / low_);
   return std::clamp(t, 0.0, 1.0);
 }
 
@@ -84,8 +102,9 @@ Legend Scale::legend(const std::string& title, Background background) const {
   for (int i = 0; i < RampSteps; ++i) {
     legend.ramp.push_back(onBackground(scaleColour(i / (RampSteps - 1.0)), background));
   }
-  std::vector<double> values =
-      kind_ == Kind::Count ? wholeTicks(low_, high_) : logarithmicTicks(low_, high_);
+  std::vector<double> values = kind_ == Kind::Count    ? wholeTicks(low_, high_)
+                               : kind_ == Kind::Linear ? evenTicks(low_, high_)
+                                                       : logarithmicTicks(low_, high_);
   if (values.empty()) values = {low_, high_};
   for (const double value : values) {
     legend.ticks.push_back({position(value), kind_ == Kind::LogarithmicShare

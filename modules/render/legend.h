@@ -38,7 +38,7 @@ Legend lobeLegend(const std::set<Lobe>& lobes, Palette palette, Background backg
 /// A continuous or counted quantity on the scale of colour_map.h.
 class Scale {
  public:
-  enum class Kind { Count, LogarithmicMm, LogarithmicShare };
+  enum class Kind { Count, Linear, LogarithmicMm, LogarithmicShare };
 
   /// @pre low <= high, and low > 0 for logarithmic kinds
   Scale(Kind kind, double low, double high);

@@ -96,6 +96,7 @@ struct Scene::State {
 
   Legend legend() const {
     if (!options.legend) return {};
+    if (Legend values = surfaces.legend(options.background); !values.empty()) return values;
     if (!colouredByLobe()) return airways.legend();
     std::set<Lobe> lobes;
     for (const FissureScene::Lung& lung : fissures.scene().lungs) {
@@ -120,6 +121,15 @@ struct Scene::State {
     for (const SceneSurface& surface : surfaces.surfaces()) {
       if (!surface.visible) continue;
       points.insert(points.end(), surface.mesh->points.begin(), surface.mesh->points.end());
+    }
+    // Breathing lungs do not leave the picture.
+    const BreathingScene* breathing = surfaces.breathing();
+    for (std::size_t i = 0; breathing != nullptr && i < surfaces.surfaces().size(); ++i) {
+      const SceneSurface& surface = surfaces.surfaces()[i];
+      if (!surface.visible) continue;
+      for (std::size_t n = 0; n < surface.mesh->points.size(); ++n) {
+        points.push_back(surface.mesh->points[n] + breathing->surfaces[i].displacement[n]);
+      }
     }
     if (airways.tree() != nullptr) {
       addPoints(*airways.tree(), airways.visible(), options.radiusScale, points);
@@ -288,7 +298,21 @@ void Scene::setOptions(const SceneOptions& options) {
 
 const SceneOptions& Scene::options() const { return state_->options; }
 
-void Scene::setInteractive(bool interactive) { state_->airways.setInteractive(interactive); }
+void Scene::setBreathing(std::shared_ptr<const BreathingScene> breathing) {
+  state_->surfaces.setBreathing(breathing, state_->options);
+  state_->airways.setBreathing(std::move(breathing));
+  state_->recolour();
+}
+
+void Scene::setBreath(const BreathScale& scale) {
+  state_->surfaces.setBreath(scale);
+  state_->airways.setBreath(scale);
+}
+
+void Scene::setInteractive(bool interactive) {
+  state_->airways.setInteractive(interactive);
+  state_->surfaces.setInteractive(interactive);
+}
 
 void Scene::select(std::optional<std::size_t> branch) { state_->airways.select(branch); }
 
@@ -311,7 +335,7 @@ int Scene::legendWidth() const {
 }
 
 std::optional<std::size_t> Scene::branchAt(double x, double y) const {
-  const AirwayTree* tree = state_->airways.tree();
+  const std::shared_ptr<const AirwayTree> tree = state_->airways.movedTree();
   vtkRenderWindow* window = state_->renderer->GetRenderWindow();
   if (tree == nullptr || window == nullptr) return std::nullopt;
   return branchUnder(*tree, state_->airways.visible(), state_->options.radiusScale,
@@ -335,7 +359,15 @@ void Scene::updateAnnotations() {
   const double mmInHeight =
       2.0 * camera->GetDistance() * std::tan(radians(0.5 * camera->GetViewAngle()));
   state_->annotations.draw(axes, size.height / mmInHeight, size.pixelRatio);
-  state_->renderer->ResetCameraClippingRange();
+  // What the graphics card moves, VTK knows nothing of.
+  double box[6];
+  state_->renderer->ComputeVisiblePropBounds(box);
+  const double reach = state_->surfaces.reachMm();
+  for (int axis = 0; axis < 3; ++axis) {
+    box[2 * axis] -= reach;
+    box[2 * axis + 1] += reach;
+  }
+  if (box[0] <= box[1]) state_->renderer->ResetCameraClippingRange(box);
 }
 
 vtkRenderer* Scene::renderer() const { return state_->renderer; }

@@ -13,6 +13,7 @@
 #include "anatomy/airway_tree.h"
 #include "core/options.h"
 #include "core/triangle_mesh.h"
+#include "render/breathing_scene.h"
 #include "render/fissure_scene.h"
 
 class vtkRenderWindow;
@@ -116,7 +117,15 @@ class Scene {
   void setOptions(const SceneOptions& options);
   const SceneOptions& options() const;
 
-  /// Coarse tubes while the user drags, fine ones afterwards.
+  /// Lets surfaces and tree move with the lungs, or stand (null): on the graphics card, so that a
+  /// moment costs a frame. Kept, not copied; gone with the next setSurfaces() or setTree(). One
+  /// that was made for others is not taken.
+  void setBreathing(std::shared_ptr<const BreathingScene> breathing);
+
+  /// The moment of the breath that is shown. s = 0 is how everything was given.
+  void setBreath(const BreathScale& scale);
+
+  /// Coarse tubes while the user drags or lungs breathe, fine ones afterwards.
   void setInteractive(bool interactive);
 
   /// Highlights a branch, or none.

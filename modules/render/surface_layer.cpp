@@ -1,21 +1,28 @@
 #include "render/surface_layer.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
 #include <memory>
 #include <numeric>
 #include <utility>
 
 #include <vtkCamera.h>
 #include <vtkNew.h>
+#include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkPropCollection.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
 #include <vtkShaderProperty.h>
+#include <vtkUnsignedCharArray.h>
 
+#include "render/breath_shader.h"
 #include "render/colour_map.h"
 #include "render/convert.h"
+#include "render/tube_mesh.h"
 
 namespace pneuma {
 namespace {
@@ -29,6 +36,28 @@ constexpr const char* RimShader = R"(//VTK::Light::Impl
   float rim = 1.0 - abs(dot(normalVCVSOutput, normalize(vertexVC.xyz)));
   gl_FragData[0].a = min(1.0, opacity * mix(0.40, 2.8, rim * rim));
 )";
+
+/// A veil that moves; with colours of its points in place of one for all.
+vtkSmartPointer<vtkActor> breathingVeil(const TriangleMesh& mesh,
+                                        const std::vector<Vec3>& displacement,
+                                        const std::vector<double>& values, const Scale& scale,
+                                        Background background, Side side) {
+  vtkSmartPointer<vtkActor> actor = veilOf(mesh);
+  auto* mapper = vtkPolyDataMapper::SafeDownCast(actor->GetMapper());
+  vtkPolyData* data = mapper->GetInput();
+  if (!values.empty()) {
+    vtkNew<vtkUnsignedCharArray> scalars;
+    scalars->SetNumberOfComponents(3);
+    for (const double value : values) {
+      const auto bytes = bytesOf(onBackground(scaleColour(scale.position(value)), background));
+      scalars->InsertNextTypedTuple(bytes.data());
+    }
+    data->GetPointData()->SetScalars(scalars);
+    mapper->ScalarVisibilityOn();
+  }
+  letBreathe(actor, data, breathAttributes(mesh, displacement, side));
+  return actor;
+}
 
 }  // namespace
 
@@ -62,42 +91,138 @@ double veilOpacity(const SceneOptions& options) {
 }
 
 void SurfaceLayer::setSurfaces(std::vector<SceneSurface> surfaces, const SceneOptions& options) {
-  for (const auto& actor : actors_) renderer_->RemoveActor(actor);
-  actors_.clear();
-  centres_.clear();
   surfaces_ = std::move(surfaces);
   for (SceneSurface& surface : surfaces_) {
     if (surface.mesh == nullptr) surface.mesh = std::make_shared<const TriangleMesh>();
-    actors_.push_back(veilOf(*surface.mesh));
-    actors_.back()->SetVisibility(surface.visible && shown_);
-    centres_.push_back(surface.mesh->points.empty() ? Vec3(Vec3::Zero())
-                                                    : Vec3(bounds(*surface.mesh).center()));
+  }
+  breathing_.reset();
+  rebuild(options);
+}
+
+void SurfaceLayer::setBreathing(std::shared_ptr<const BreathingScene> breathing,
+                                const SceneOptions& options) {
+  const auto fits = [&] {
+    if (breathing->surfaces.size() != surfaces_.size()) return false;
+    for (std::size_t i = 0; i < surfaces_.size(); ++i) {
+      if (breathing->surfaces[i].displacement.size() != surfaces_[i].mesh->points.size()) {
+        return false;
+      }
+    }
+    return true;
+  };
+  if (breathing && !fits()) breathing.reset();
+  if (breathing == breathing_) return;
+  breathing_ = std::move(breathing);
+  rebuild(options);
+}
+
+Scale SurfaceLayer::valueScale() const {
+  double low = std::numeric_limits<double>::max();
+  double high = std::numeric_limits<double>::lowest();
+  for (std::size_t i = 0; breathing_ && i < breathing_->surfaces.size(); ++i) {
+    for (const double value : breathing_->surfaces[i].values) {
+      low = std::min(low, value);
+      high = std::max(high, value);
+    }
+  }
+  return low <= high ? Scale(Scale::Kind::Linear, low, high) : Scale(Scale::Kind::Linear, 0.0, 1.0);
+}
+
+Legend SurfaceLayer::legend(Background background) const {
+  if (!breathing_ || breathing_->quantity.empty()) return {};
+  return valueScale().legend(breathing_->quantity, background);
+}
+
+void SurfaceLayer::rebuild(const SceneOptions& options) {
+  for (const auto& actor : actors_) renderer_->RemoveActor(actor);
+  for (const auto& actor : coarse_) {
+    if (actor != nullptr) renderer_->RemoveActor(actor);
+  }
+  actors_.clear();
+  coarse_.clear();
+  centres_.clear();
+  farthestMm_.clear();
+  scale_ = {};
+  const Scale scale = valueScale();
+  for (std::size_t i = 0; i < surfaces_.size(); ++i) {
+    const TriangleMesh& mesh = *surfaces_[i].mesh;
+    centres_.push_back(mesh.points.empty() ? Vec3(Vec3::Zero()) : Vec3(bounds(mesh).center()));
+    coarse_.emplace_back();
+    farthestMm_.push_back(0.0);
+    if (!breathing_) {
+      actors_.push_back(veilOf(mesh));
+    } else {
+      const BreathingScene::Surface& moving = breathing_->surfaces[i];
+      for (const Vec3& u : moving.displacement) {
+        farthestMm_.back() = std::max(farthestMm_.back(), u.norm());
+      }
+      actors_.push_back(breathingVeil(mesh, moving.displacement, moving.values, scale,
+                                      options.background, moving.side));
+      if (moving.coarse) {
+        coarse_.back() = breathingVeil(*moving.coarse, moving.coarseDisplacement,
+                                       moving.coarseValues, scale, options.background, moving.side);
+        renderer_->AddActor(coarse_.back());
+      }
+    }
     renderer_->AddActor(actors_.back());
   }
   order_.resize(actors_.size());
   std::iota(order_.begin(), order_.end(), std::size_t{0});
+  showActors();
   setOptions(options, false);
+}
+
+void SurfaceLayer::setBreath(const BreathScale& scale) {
+  if (!breathing_ || scale == scale_) return;
+  scale_ = scale;
+  for (const auto& actor : actors_) pneuma::setBreath(actor, scale_);
+  for (const auto& actor : coarse_) {
+    if (actor != nullptr) pneuma::setBreath(actor, scale_);
+  }
+}
+
+void SurfaceLayer::setInteractive(bool interactive) {
+  interactive_ = interactive;
+  showActors();
+}
+
+double SurfaceLayer::reachMm() const {
+  double reach = 0.0;
+  for (std::size_t i = 0; breathing_ && i < surfaces_.size(); ++i) {
+    const double s = scale_.of(breathing_->surfaces[i].side);
+    reach = std::max(reach, std::abs(s) * farthestMm_[i]);
+  }
+  return reach;
 }
 
 void SurfaceLayer::setVisible(std::size_t index, bool visible) {
   if (index >= surfaces_.size()) return;
   surfaces_[index].visible = visible;
-  actors_[index]->SetVisibility(visible && shown_);
+  showActors();
 }
 
 void SurfaceLayer::setShown(bool shown) {
   shown_ = shown;
+  showActors();
+}
+
+void SurfaceLayer::showActors() {
   for (std::size_t i = 0; i < actors_.size(); ++i) {
-    actors_[i]->SetVisibility(surfaces_[i].visible && shown_);
+    const bool visible = surfaces_[i].visible && shown_;
+    const bool fewer = interactive_ && coarse_[i] != nullptr;
+    actors_[i]->SetVisibility(visible && !fewer);
+    if (coarse_[i] != nullptr) coarse_[i]->SetVisibility(visible && fewer);
   }
 }
 
 void SurfaceLayer::setOptions(const SceneOptions& options, bool neutral) {
   for (std::size_t i = 0; i < actors_.size(); ++i) {
     const Rgb colour = neutral ? NeutralTissue : lobeColour(surfaces_[i].lobe, options.palette);
-    vtkProperty* property = actors_[i]->GetProperty();
-    property->SetColor(colour.r, colour.g, colour.b);
-    property->SetOpacity(veilOpacity(options));
+    for (vtkActor* actor : {actors_[i].Get(), coarse_[i].Get()}) {
+      if (actor == nullptr) continue;
+      actor->GetProperty()->SetColor(colour.r, colour.g, colour.b);
+      actor->GetProperty()->SetOpacity(veilOpacity(options));
+    }
   }
 }
 
@@ -116,8 +241,11 @@ void SurfaceLayer::sortBackToFront() {
   // In the collection itself: removing an actor from the renderer would drop its buffers.
   vtkPropCollection* props = renderer_->GetViewProps();
   for (const std::size_t i : order_) {
-    props->RemoveItem(actors_[i]);
-    props->AddItem(actors_[i]);
+    for (vtkActor* actor : {actors_[i].Get(), coarse_[i].Get()}) {
+      if (actor == nullptr) continue;
+      props->RemoveItem(actor);
+      props->AddItem(actor);
+    }
   }
 }
 

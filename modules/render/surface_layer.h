@@ -1,10 +1,13 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include <vtkActor.h>
 #include <vtkSmartPointer.h>
 
+#include "render/breathing_scene.h"
+#include "render/legend.h"
 #include "render/scene.h"
 
 class vtkRenderer;
@@ -25,6 +28,22 @@ class SurfaceLayer {
   void setSurfaces(std::vector<SceneSurface> surfaces, const SceneOptions& options);
   void setVisible(std::size_t index, bool visible);
 
+  /// Lets the surfaces move, or stand (null). One of other surfaces is not taken.
+  void setBreathing(std::shared_ptr<const BreathingScene> breathing, const SceneOptions& options);
+
+  void setBreath(const BreathScale& scale);
+
+  /// Fewer triangles, where the breathing has them.
+  void setInteractive(bool interactive);
+
+  /// How far a point moves at most at the moment, mm.
+  double reachMm() const;
+
+  /// Of the values that colour the points; empty if none do.
+  Legend legend(Background background) const;
+
+  const BreathingScene* breathing() const { return breathing_.get(); }
+
   /// Hides all of them for a while, or shows those that are visible again.
   void setShown(bool shown);
 
@@ -39,7 +58,16 @@ class SurfaceLayer {
  private:
   vtkRenderer* renderer_;
   std::vector<SceneSurface> surfaces_;
+  Scale valueScale() const;
+  void showActors();
+  void rebuild(const SceneOptions& options);
+
   std::vector<vtkSmartPointer<vtkActor>> actors_;
+  std::vector<vtkSmartPointer<vtkActor>> coarse_;  ///< null where there are no fewer triangles
+  std::shared_ptr<const BreathingScene> breathing_;
+  BreathScale scale_;
+  std::vector<double> farthestMm_;  ///< that a point of each surface moves at s = 1
+  bool interactive_ = false;
   std::vector<Vec3> centres_;
   std::vector<std::size_t> order_;
   bool shown_ = true;

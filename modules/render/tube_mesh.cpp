@@ -86,6 +86,7 @@ class Builder {
     mesh_.points.reserve(branches * 36);
     mesh_.normals.reserve(branches * 36);
     mesh_.colours.reserve(branches * 36);
+    mesh_.branches.reserve(branches * 12);
     mesh_.triangles.reserve(branches * 42);
   }
 
@@ -112,6 +113,7 @@ class Builder {
     }
     const std::int32_t last = first + static_cast<std::int32_t>(rings.size() - 1) * n;
     for (std::int32_t k = 1; k + 1 < n; ++k) addTriangle(last, last + k, last + k + 1);
+    mesh_.branches.resize(mesh_.points.size() / 3, static_cast<std::uint32_t>(index));
     if (tree_[index].parent < 0) {
       for (std::int32_t k = 1; k + 1 < n; ++k) addTriangle(first, first + k + 1, first + k);
     }
@@ -224,6 +226,7 @@ LineMesh lineMesh(const AirwayTree& tree, const std::vector<bool>& visible,
         mesh.points.push_back(static_cast<float>(line[k].position[axis]));
       }
       mesh.colours.insert(mesh.colours.end(), bytes.begin(), bytes.end());
+      mesh.branches.push_back(static_cast<std::uint32_t>(i));
     }
   }
   return mesh;

@@ -14,6 +14,7 @@ struct TubeMesh {
   std::vector<float> points;   ///< x, y, z; LPS, mm
   std::vector<float> normals;  ///< unit vectors
   std::vector<std::uint8_t> colours;
+  std::vector<std::uint32_t> branches;  ///< of each point
   std::vector<std::int32_t> triangles;  ///< counter-clockwise seen from outside
 };
 
@@ -21,7 +22,8 @@ struct TubeMesh {
 struct LineMesh {
   std::vector<float> points;
   std::vector<std::uint8_t> colours;
-  std::vector<std::int32_t> segments;  ///< two indices each
+  std::vector<std::uint32_t> branches;  ///< of each point
+  std::vector<std::int32_t> segments;   ///< two indices each
 };
 
 /// Which branches become tubes, and how thick.

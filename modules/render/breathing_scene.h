@@ -1,0 +1,48 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "anatomy/tree_motion.h"
+#include "core/triangle_mesh.h"
+
+namespace pneuma {
+
+/// How everything in a scene moves while lungs breathe: from x to x + s u, with an s for each lung.
+struct BreathingScene {
+  struct Surface {
+    Side side = Side::None;
+    std::vector<Vec3> displacement;  ///< u of each point, mm
+    std::vector<double> values;      ///< of each point, that colour it; none: the lobe's colour
+    /// Fewer triangles for moving pictures, with the same of its points.
+    std::shared_ptr<const TriangleMesh> coarse{};
+    std::vector<Vec3> coarseDisplacement{};
+    std::vector<double> coarseValues{};
+  };
+
+  std::vector<Surface> surfaces;  ///< one for each of the scene's
+  TreeMotion tree;                ///< empty if there is none
+  std::string quantity;           ///< and unit, of the values: "Displacement, mm"
+};
+
+/// Fills in the surfaces' coarse forms, so that all have about `triangles` together; those of
+/// surfaces that are no finer stay empty. Takes a second for a million triangles.
+/// @param meshes of the surfaces, in their order
+void addCoarseSurfaces(BreathingScene& breathing,
+                       const std::vector<std::shared_ptr<const TriangleMesh>>& meshes,
+                       std::size_t triangles);
+
+/// s of each lung.
+struct BreathScale {
+  double right = 0.0;
+  double left = 0.0;
+
+  double of(Side side) const {
+    return side == Side::Right ? right : side == Side::Left ? left : 0.0;
+  }
+
+  bool operator==(const BreathScale&) const = default;
+};
+
+}  // namespace pneuma
