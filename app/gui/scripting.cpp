@@ -316,6 +316,13 @@ QVariant ScriptPlayer::observed(const QJsonObject& step) const {
   if (state == QLatin1String("axial")) {
     return window_.slices().empty() ? -1 : window_.slices().slice(SlicePlane::Axial);
   }
+  if (state == QLatin1String("breathing")) {
+    const auto& breath = window_.player().breath();
+    return static_cast<int>(breath ? breath->lungs.frames.size() : 0);
+  }
+  if (state == QLatin1String("playing")) return window_.player().playing();
+  if (state == QLatin1String("phase")) return window_.player().phase();
+  if (state == QLatin1String("frames")) return window_.view().framesDrawn();
   if (state == QLatin1String("busy")) return document.jobs().busy();
   if (state == QLatin1String("previewed")) return static_cast<int>(window_.view().previewed());
   fail(QStringLiteral("there is no such state"));

@@ -98,7 +98,9 @@ Document::Document(QObject* parent) : QObject(parent) {
     emit said(tr("%1: stopped, nothing was changed").arg(title));
   });
   connect(&jobs_, &JobQueue::busyChanged, this, [this](bool busy) {
-    if (!busy) lobeJob_ = LobeJob::None;
+    if (busy) return;
+    lobeJob_ = LobeJob::None;
+    breathing_ = false;
   });
   // Whether something can be undone depends on the queue being idle.
   connect(&jobs_, &JobQueue::busyChanged, this, &Document::changed);

@@ -12,6 +12,7 @@
 #include "document/job_queue.h"
 #include "document/snapshot.h"
 #include "growth/growth.h"
+#include "pipeline/breathe.h"
 
 namespace pneuma {
 
@@ -73,6 +74,20 @@ class Document : public QObject {
   /// True if the lobes shown were made with other fissures than those set now.
   bool lobesOutOfDate() const;
 
+  /// The options of the next breath.
+  const BreatheOptions& breatheOptions() const { return breatheOptions_; }
+
+  void setBreatheOptions(const BreatheOptions& options);
+
+  /// True if there are lungs or lobes that can breathe.
+  bool canBreathe() const;
+
+  /// True while a breath is made.
+  bool breathing() const { return breathing_; }
+
+  /// True if the breath shown was made with other options than those set now.
+  bool breathOutOfDate() const;
+
   JobQueue& jobs() { return jobs_; }
 
   const JobQueue& jobs() const { return jobs_; }
@@ -123,6 +138,12 @@ class Document : public QObject {
   /// Grows airways with growthOptions(). Can be undone.
   void grow();
 
+  /// Makes lungs and airways breathe with breatheOptions(). Can be undone.
+  void breathe();
+
+  /// Writes the breath for ParaView, as `pneuma breathe` does.
+  void saveBreath(const std::filesystem::path& path);
+
   /// Writes the tree as VTP, SWC, CSV or JSON by the extension.
   void saveTree(const std::filesystem::path& path);
 
@@ -153,6 +174,7 @@ class Document : public QObject {
 
   void growthOptionsChanged();
   void lungOptionsChanged();
+  void breatheOptionsChanged();
 
   /// The tree shown is in a file now.
   void treeWasSaved();
@@ -192,7 +214,9 @@ class Document : public QObject {
   std::vector<GrowthOptions> optionsOf_;  ///< of every method, in the order of growthMethods()
   std::size_t method_ = 0;
   LungOptions lungOptions_;
+  BreatheOptions breatheOptions_;
   LobeJob lobeJob_ = LobeJob::None;
+  bool breathing_ = false;
   bool superseded_ = false;  ///< the job that is cancelled makes way for the next
   CtSheets sheets_;
   std::vector<Step> undo_;

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "core/error.h"
+#include "document/breath.h"
 #include "document/text.h"
 #include "pipeline/lobe_labels.h"
 #include "pipeline/lobes_model.h"
@@ -62,6 +63,9 @@ Snapshot nextSnapshot(const Snapshot& before, LungModel model) {
   next.model = std::move(model);
   if (treeOf(next.model) != treeOf(before.model)) addFigures(next);
   if (next.model.growth != before.model.growth) next.grownIn = next.model.surfaces;
+  if (next.model.surfaces != before.model.surfaces || treeOf(next.model) != treeOf(before.model)) {
+    next.breath = nullptr;
+  }
   const bool sameLungs = wholeLungsOf(next.model) == wholeLungsOf(before.model);
   const bool sameCt = next.model.ct == before.model.ct && next.model.labels == before.model.labels;
   if (!sameLungs || !sameCt) next.lungLabels = labelsOf(next.model);
@@ -84,6 +88,10 @@ double lungVolumeMl(const LungModel& model) {
 std::vector<QString> warningsOf(const Snapshot& snapshot) {
   std::vector<QString> warnings;
   for (const auto& sentence : snapshot.model.warnings) warnings.push_back(qtText(sentence));
+  if (snapshot.breath) {
+    for (const auto& sentence : snapshot.breath->lungs.warnings)
+      warnings.push_back(qtText(sentence));
+  }
   if (snapshot.model.lobes) {
     for (const auto& sentence : snapshot.model.lobes->warnings)
       warnings.push_back(qtText(sentence));

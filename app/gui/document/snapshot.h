@@ -13,6 +13,8 @@
 
 namespace pneuma {
 
+struct Breath;
+
 /// That somebody looked at a fissure as it was then.
 struct FissureReview {
   LobeEdits edits;       ///< what was looked at
@@ -35,6 +37,7 @@ struct Snapshot {
   std::shared_ptr<const FissureTraces> traces{};  ///< of edits that may be older; null: none yet
   std::map<Fissure, FissureReview> reviews{};
   std::shared_ptr<const std::vector<LobeSurface>> grownIn{};  ///< the surfaces of model.growth
+  std::shared_ptr<const Breath> breath{};  ///< of the surfaces and the tree; null: none yet
 };
 
 /// A snapshot of `model` with the figures of its tree and its whole lungs.

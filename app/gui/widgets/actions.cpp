@@ -80,6 +80,10 @@ Actions makeActions(QWidget* window) {
   makeFissureActions(a, window);
   a.splitLobes = action(window, "actionSplitLobes", tr("&Split into lobes"), {keys("Ctrl+B")});
   a.grow = action(window, "actionGrow", tr("&Grow airways"), {keys("Ctrl+Return")});
+  a.breathe = action(window, "actionBreathe", tr("&Breathe"), {keys("Ctrl+Shift+B")});
+  a.playBreath = action(window, "actionPlayBreath", tr("&Play the breath"), {}, "play");
+  a.playBreath->setCheckable(true);
+  a.saveBreath = action(window, "actionSaveBreath", tr("Save &breath..."), {}, "save");
   a.cancel = action(window, "actionCancel", tr("&Cancel the running job"), {keys("Esc")}, "close");
   static const std::array<const char*, 6> names = {
       QT_TR_NOOP("&Anterior"), QT_TR_NOOP("&Posterior"), QT_TR_NOOP("&Left"),
@@ -110,7 +114,7 @@ void fillMenus(QMenuBar& bar, const Actions& a) {
   file->addSeparator();
   file->addActions({a.openFissures, a.saveFissures});
   file->addSeparator();
-  file->addActions({a.saveTree, a.savePicture});
+  file->addActions({a.saveTree, a.saveBreath, a.savePicture});
   file->addSeparator();
   file->addAction(a.quit);
   QMenu* edit = bar.addMenu(QObject::tr("&Edit"));
@@ -118,11 +122,11 @@ void fillMenus(QMenuBar& bar, const Actions& a) {
   edit->addSeparator();
   edit->addActions({a.placePoints, a.snap, a.review, a.looksRight, a.editHere, a.acceptFissures});
   edit->addSeparator();
-  edit->addActions({a.findLungs, a.splitLobes, a.grow, a.cancel});
+  edit->addActions({a.findLungs, a.splitLobes, a.grow, a.breathe, a.cancel});
   QMenu* view = bar.addMenu(QObject::tr("&View"));
   for (QAction* named : a.views) view->addAction(named);
   view->addSeparator();
-  view->addActions({a.resetView, a.theme});
+  view->addActions({a.resetView, a.playBreath, a.theme});
   fillSliceMenu(*bar.addMenu(QObject::tr("&Slices")), a.slices);
   QMenu* help = bar.addMenu(QObject::tr("&Help"));
   help->addAction(a.about);

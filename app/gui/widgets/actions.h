@@ -36,6 +36,9 @@ struct Actions {
   QAction* editHere = nullptr;
   QAction* acceptFissures = nullptr;
   QAction* grow = nullptr;
+  QAction* breathe = nullptr;
+  QAction* playBreath = nullptr;  ///< checkable; its key acts in the 3-D view
+  QAction* saveBreath = nullptr;
   QAction* cancel = nullptr;
   std::array<QAction*, 6> views{};
   QAction* resetView = nullptr;

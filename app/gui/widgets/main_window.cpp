@@ -185,6 +185,7 @@ void MainWindow::goTo(Step step) {
   if (step != LobesStep) review_.stop();
   steps_[step]->setChecked(true);
   panels_->setCurrentIndex(step);
+  showBreathing();
   updateActions();
 }
 
@@ -228,6 +229,7 @@ void MainWindow::showSnapshot() {
   caseName_->setText(snapshot.name.isEmpty() ? tr("Nothing open") : snapshot.name);
   setWindowTitle(snapshot.name.isEmpty() ? QStringLiteral("Pneuma")
                                          : snapshot.name + QStringLiteral(" - Pneuma"));
+  showBreathing();
   openPanel_->show(snapshot);
   status_->setWarnings(warningsOf(snapshot));
   updateProperties();
@@ -290,7 +292,8 @@ void MainWindow::applyVisibility() {
     }
   }
   fissureViews_->setVisible(lungs);
-  view_->setTree(airways ? shownTree_ : nullptr);
+  view_->setTree(airways ? treeToShow() : nullptr);
+  if (shownBreath_) showMoment();
   if (!airways) branch_.reset();
   view_->select(branch_);
 }

@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "document/breath_player.h"
 #include "document/document.h"
 #include "document/fissure_editor.h"
 #include "document/review_walk.h"
@@ -22,6 +23,8 @@ class QToolButton;
 
 namespace pneuma {
 
+class BreathBar;
+class BreathChart;
 class CtViews;
 class ErrorCard;
 class ExportPanel;
@@ -56,6 +59,8 @@ class MainWindow : public QMainWindow {
 
   ReviewWalk& review() { return review_; }
 
+  BreathPlayer& player() { return player_; }
+
   void open(std::vector<std::filesystem::path> paths);
 
   void setTheme(ThemeName name);
@@ -70,7 +75,7 @@ class MainWindow : public QMainWindow {
   void dropEvent(QDropEvent* event) override;
 
  private:
-  enum Step { OpenStep, LungsStep, LobesStep, AirwaysStep, ExportStep, StepCount };
+  enum Step { OpenStep, LungsStep, LobesStep, AirwaysStep, BreathingStep, ExportStep, StepCount };
 
   QWidget* makeHeader();
   QWidget* makeRail();
@@ -80,6 +85,7 @@ class MainWindow : public QMainWindow {
   void connectDocument();
   void connectView();
   void connectFissures();
+  void connectBreathing();
 
   void goTo(Step step);
   /// Shows the step for lungs where there may be a CT, and numbers the steps.
@@ -91,6 +97,14 @@ class MainWindow : public QMainWindow {
   void updateSteps();
   void updateLobesStep();
   void updateFissureActions();
+  void updateBreathingActions();
+  void updateBreathingStep();
+  /// Shows the lungs breathing where that step is, and at rest elsewhere.
+  void showBreathing();
+  void showMoment();
+  void saveBreath();
+  /// At rest, or as the step for breathing has it.
+  std::shared_ptr<const AirwayTree> treeToShow() const;
   void updateProperties();
   void applyVisibility();
   void selectBranch(std::optional<std::size_t> branch);
@@ -109,6 +123,7 @@ class MainWindow : public QMainWindow {
   SliceViews sliceViews_;
   FissureEditor fissures_{document_};
   ReviewWalk review_{document_, fissures_, sliceViews_};
+  BreathPlayer player_;
   Actions actions_;
   std::optional<std::size_t> branch_;  ///< the selected one
   std::function<void()> whenSaved_;
@@ -120,6 +135,7 @@ class MainWindow : public QMainWindow {
   std::shared_ptr<const AirwayTree> shownTree_;
   std::shared_ptr<const CtImage> shownCt_;
   std::shared_ptr<const LabelImage> shownLabels_;
+  std::shared_ptr<const Breath> shownBreath_;
 
   QLabel* caseName_ = nullptr;
   QToolButton* themeToggle_ = nullptr;
@@ -138,6 +154,9 @@ class MainWindow : public QMainWindow {
   StructureView* structureView_ = nullptr;
   QLabel* propertiesHeading_ = nullptr;
   SheetCard* properties_ = nullptr;
+  BreathBar* breathBar_ = nullptr;
+  QLabel* chartHeading_ = nullptr;
+  QStackedWidget* charts_ = nullptr;
   GenerationChart* chart_ = nullptr;
   StatusStrip* status_ = nullptr;
 };

@@ -11,6 +11,9 @@
 #include <utility>
 #include <vector>
 
+#include "widgets/breath_bar.h"
+#include "widgets/breath_chart.h"
+#include "widgets/breathing_panel.h"
 #include "widgets/ct_views.h"
 #include "widgets/error_card.h"
 #include "widgets/export_panel.h"
@@ -112,8 +115,8 @@ QWidget* MainWindow::makeRail() {
   column->setSpacing(4);
   column->addWidget(heading(tr("Steps")));
   static const std::array<const char*, StepCount> titles = {
-      QT_TR_NOOP("Open"), QT_TR_NOOP("Lungs"), QT_TR_NOOP("Lobes"), QT_TR_NOOP("Airways"),
-      QT_TR_NOOP("Export")};
+      QT_TR_NOOP("Open"),    QT_TR_NOOP("Lungs"),     QT_TR_NOOP("Lobes"),
+      QT_TR_NOOP("Airways"), QT_TR_NOOP("Breathing"), QT_TR_NOOP("Export")};
   panels_ = new QStackedWidget;
   for (int i = 0; i < StepCount; ++i) {
     const auto index = static_cast<std::size_t>(i);
@@ -134,6 +137,7 @@ QWidget* MainWindow::makeRail() {
   panels_->addWidget(lungsPanel_);
   panels_->addWidget(new LobesPanel(document_, fissures_, review_, sliceViews_, actions_));
   panels_->addWidget(new GrowthPanel(document_, actions_));
+  panels_->addWidget(new BreathingPanel(document_, actions_));
   panels_->addWidget(exportPanel_);
   column->addWidget(panels_, 1);
   return rail;
@@ -153,6 +157,8 @@ QWidget* MainWindow::makeCentre() {
   fissureViews_ = new FissureViews(fissures_, sliceViews_, *ctViews_, *view_, this);
   column->addWidget(sliceBar_);
   column->addWidget(ctViews_, 1);
+  breathBar_ = new BreathBar(player_, actions_);
+  column->addWidget(breathBar_);
   centre_ = new QStackedWidget;
   centre_->setObjectName(QStringLiteral("centre"));
   centre_->addWidget(new StartPage(actions_));
@@ -180,8 +186,12 @@ QWidget* MainWindow::makeRightColumn() {
   column->addWidget(propertiesHeading_);
   column->addWidget(properties_);
   column->addSpacing(8);
-  column->addWidget(heading(tr("Branches per generation")));
-  column->addWidget(chart_, 1);
+  charts_ = new QStackedWidget;
+  charts_->addWidget(chart_);
+  charts_->addWidget(new BreathChart(player_));
+  chartHeading_ = heading({});
+  column->addWidget(chartHeading_);
+  column->addWidget(charts_, 1);
 
   auto* scroll = new QScrollArea;
   scroll->setObjectName(QStringLiteral("rightColumn"));
@@ -219,6 +229,7 @@ MainWindow::MainWindow() : actions_(makeActions(this)) {
   connectDocument();
   connectView();
   connectFissures();
+  connectBreathing();
   goTo(OpenStep);
   showSnapshot();
   status_->say(tr("Ready"));

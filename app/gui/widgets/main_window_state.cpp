@@ -32,6 +32,7 @@ void MainWindow::updateActions() {
                                       : tr("Open a CT first"));
   const bool whole = document_.canSplit();
   updateFissureActions();
+  updateBreathingActions();
   actions_.splitLobes->setEnabled(whole && !busy);
   actions_.splitLobes->setToolTip(busy    ? wait
                                   : whole ? tr("Split the lungs into lobes along the fissures")
@@ -125,7 +126,7 @@ void MainWindow::updateSteps() {
   updateLobesStep();
 
   StepButton& airways = *steps_[AirwaysStep];
-  if (busy && document_.canGrow() && !document_.splitting()) {
+  if (busy && document_.canGrow() && !document_.splitting() && !document_.breathing()) {
     airways.setState(StepState::Running, {});
   } else if (!model.growth) {
     airways.setState(StepState::ToDo, {});
@@ -137,6 +138,7 @@ void MainWindow::updateSteps() {
     airways.setState(fine ? StepState::Done : StepState::CheckMe,
                      counted(tree->size(), "branch", "branches"));
   }
+  updateBreathingStep();
   steps_[ExportStep]->setState(document_.treeSaved() ? StepState::Done : StepState::ToDo,
                                document_.treeSaved() ? tr("tree saved") : QString());
 }

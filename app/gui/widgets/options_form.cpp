@@ -152,6 +152,7 @@ QWidget* OptionsForm::numberEditor(int row) {
 
 QWidget* OptionsForm::choiceEditor(int row) {
   auto* box = new QComboBox;
+  box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);  // not the longest
   for (const auto& choice : model_.row(row).choices) box->addItem(qtText(choice));
   connect(box, &QComboBox::currentTextChanged, this, [this, row](const QString& text) {
     model_.setData(valueIndex(model_, row), text, Qt::EditRole);

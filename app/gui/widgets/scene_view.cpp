@@ -166,6 +166,26 @@ void SceneView::setOptions(const SceneOptions& options) {
   renderSoon();
 }
 
+void SceneView::setBreathing(std::shared_ptr<const BreathingScene> breathing) {
+  scene_->setBreathing(std::move(breathing));
+  renderSoon();
+}
+
+void SceneView::setBreath(const BreathScale& scale) {
+  scene_->setBreath(scale);
+  renderSoon();
+}
+
+void SceneView::setPlaying(bool playing) {
+  if (playing == playing_) return;
+  playing_ = playing;
+  if (playing) {
+    dragging(true);
+  } else {
+    settleTimer_.start();
+  }
+}
+
 void SceneView::select(std::optional<std::size_t> branch) {
   scene_->select(branch);
   renderSoon();
@@ -242,12 +262,13 @@ void SceneView::render() {
   sinceFrame_.start();
   canvas_->renderWindow()->Render();
   frameMs_ = sinceFrame_.restart();
+  ++frames_;
 }
 
 void SceneView::renderSoon() { renderTimer_.start(); }
 
 void SceneView::dragging(bool on) {
-  scene_->setInteractive(on);
+  scene_->setInteractive(on || playing_);
   if (!on) renderSoon();
 }
 
@@ -267,6 +288,13 @@ bool SceneView::keyPressed(int key, Qt::KeyboardModifiers modifiers) {
     }
     case Qt::Key_Home:
       resetView();
+      return true;
+    case Qt::Key_Space:
+      emit playToggled();
+      return true;
+    case Qt::Key_Comma:
+    case Qt::Key_Period:
+      emit stepped(key == Qt::Key_Period ? 1 : -1);
       return true;
     case Qt::Key_Left:
       shift ? turn(-TurnDeg, 0.0) : emit walked(Neighbour::PreviousSibling);

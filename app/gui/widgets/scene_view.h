@@ -42,6 +42,18 @@ class SceneView : public QWidget {
   void setTree(std::shared_ptr<const AirwayTree> tree);
   void setOptions(const SceneOptions& options);
 
+  /// Lets everything move with the lungs, or stand (null); after setSurfaces() and setTree().
+  void setBreathing(std::shared_ptr<const BreathingScene> breathing);
+
+  /// The moment of the breath that is shown.
+  void setBreath(const BreathScale& scale);
+
+  /// Coarse while the lungs breathe, fine once they stand.
+  void setPlaying(bool playing);
+
+  /// How many frames were drawn so far.
+  int framesDrawn() const { return frames_; }
+
   /// Shows what a growth has placed since the last time (Scene::addPreview()). After a frame it
   /// waits as long as that took: however slow the graphics, half of the time stays for the user.
   void addPreview(const std::vector<Vec3>& points);
@@ -70,6 +82,10 @@ class SceneView : public QWidget {
   void clicked(std::optional<std::size_t> branch);
   void hovered(std::optional<std::size_t> branch);
   void walked(pneuma::Neighbour where);
+
+  /// The keys of the timeline: to play or to stand, and by one frame to either side.
+  void playToggled();
+  void stepped(int frames);
 
   /// A click on a lung while points are set.
   void lungClicked(const pneuma::Vec3& point);
@@ -102,6 +118,8 @@ class SceneView : public QWidget {
   QTimer settleTimer_;
   QTimer hoverTimer_;
   bool placing_ = false;
+  bool playing_ = false;
+  int frames_ = 0;
   std::optional<std::size_t> mark_;  ///< that is dragged
   Vec3 markPlace_ = Vec3::Zero();    ///< where it was
   QPoint pressedAt_;

@@ -1,0 +1,70 @@
+#include <chrono>
+#include <utility>
+
+#include "core/seconds.h"
+#include "document/breath.h"
+#include "document/document.h"
+#include "document/text.h"
+#include "pipeline/breathe_files.h"
+
+// What the document knows of breathing.
+namespace pneuma {
+
+void Document::setBreatheOptions(const BreatheOptions& options) {
+  if (options == breatheOptions_) return;
+  breatheOptions_ = options;
+  emit breatheOptionsChanged();
+}
+
+bool Document::canBreathe() const {
+  if (!snapshot_.model.surfaces) return false;
+  for (const LobeSurface& surface : *snapshot_.model.surfaces) {
+    if (side(surface.lobe) != Side::None) return true;
+  }
+  return false;
+}
+
+bool Document::breathOutOfDate() const {
+  return snapshot_.breath && !(snapshot_.breath->options == breatheOptions_);
+}
+
+void Document::breathe() {
+  breathing_ = true;
+  jobs_.push(tr("Breathing"),
+             [this, before = snapshot_, options = breatheOptions_](const Progress& progress) {
+               const auto start = std::chrono::steady_clock::now();
+               BreathingLungs lungs =
+                   pneuma::breathe(before.model, options, progress.part(0.0, 0.85, "moving lungs"));
+               Json report = breatheReport(before.model, lungs, options);
+               progress.report(0.9);
+               Snapshot next = before;
+               next.breath = breathOf(before.model, std::move(lungs), options, std::move(report));
+               const double seconds = secondsSince(start);
+               return JobQueue::Continuation([this, seconds, next = std::move(next)] {
+                 emit said(tr("Breathing in %1: %2 a breath, %3 breaths a minute")
+                               .arg(withUnit(seconds, 1, "s"),
+                                    withUnit(1000.0 * next.breath->lungs.cycle.tidal, 0, "mL"),
+                                    withUnit(60.0 / next.breath->lungs.drive.period, 1, "")));
+                 become(next, tr("breathe"));
+               });
+             });
+}
+
+void Document::saveBreath(const std::filesystem::path& path) {
+  const auto breath = snapshot_.breath;
+  if (!breath) {
+    emit failed(tr("Save the breath"), tr("Nothing breathes yet: press Breathe first."));
+    return;
+  }
+  touched_ = {path};
+  jobs_.push(tr("Saving the breath"), [this, path, breath](const Progress& progress) {
+    writeBreath(path, breath->lungs, breath->report, progress);
+    return JobQueue::Continuation([this, path, breath] {
+      emit said(
+          tr("Saved %1: %2")
+              .arg(fileNameOf(path), counted(breath->lungs.frames.size(), "frame", "frames")));
+    });
+  });
+}
+
+}  // namespace pneuma

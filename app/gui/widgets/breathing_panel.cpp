@@ -1,0 +1,82 @@
+#include "widgets/breathing_panel.h"
+
+#include <QLabel>
+#include <QScrollArea>
+#include <QVBoxLayout>
+#include <QVariant>
+
+#include "document/breath.h"
+#include "document/document.h"
+#include "document/text.h"
+#include "widgets/action_button.h"
+#include "widgets/actions.h"
+#include "widgets/heading.h"
+#include "widgets/options_form.h"
+#include "widgets/sheet_card.h"
+
+namespace pneuma {
+
+BreathingPanel::BreathingPanel(Document& document, const Actions& actions, QWidget* parent)
+    : QWidget(parent), document_(document) {
+  auto* content = new QWidget;
+  auto* column = new QVBoxLayout(content);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(8);
+  column->addWidget(heading(tr("Breathe")));
+  model_.bind(document_.breatheOptions());
+  column->addWidget(
+      new OptionsForm(model_, {"scenario", "tidal", "period", "motion", "affected", "frames"}));
+  column->addWidget(actionButton(actions.breathe, "breathe", "primary"));
+  note_ = new QLabel;
+  note_->setObjectName(QStringLiteral("breathingNote"));
+  note_->setProperty("role", "dim");
+  note_->setWordWrap(true);
+  column->addWidget(note_);
+  column->addSpacing(6);
+  heading_ = heading({});
+  column->addWidget(heading_);
+  breath_ = new SheetCard;
+  breath_->setObjectName(QStringLiteral("breathSheet"));
+  breath_->setAccessibleName(tr("The breath"));
+  column->addWidget(breath_);
+  column->addWidget(actionButton(actions.saveBreath, "saveBreath"));
+  column->addStretch();
+  auto* scroll = new QScrollArea;
+  scroll->setWidget(content);
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setFocusPolicy(Qt::NoFocus);
+  auto* whole = new QVBoxLayout(this);
+  whole->setContentsMargins(0, 0, 0, 0);
+  whole->addWidget(scroll);
+
+  connect(&model_, &QAbstractItemModel::dataChanged, this,
+          [this] { document_.setBreatheOptions(model_.options<BreatheOptions>()); });
+  connect(&document_, &Document::breatheOptionsChanged, this, &BreathingPanel::follow);
+  connect(&document_, &Document::changed, this, &BreathingPanel::follow);
+  follow();
+}
+
+void BreathingPanel::follow() {
+  const BreatheOptions& options = document_.breatheOptions();
+  if (!(model_.options<BreatheOptions>() == options)) model_.bind(options);
+  note_->setText(note());
+  note_->setVisible(!note_->text().isEmpty());
+  const auto& breath = document_.snapshot().breath;
+  const PropertySheet sheet = breath ? breathSheet(*breath) : PropertySheet{};
+  setHeading(*heading_, sheet.title);
+  heading_->setVisible(breath != nullptr);
+  breath_->setVisible(breath != nullptr);
+  breath_->show(sheet);
+}
+
+QString BreathingPanel::note() const {
+  if (!document_.canBreathe()) return tr("Open lobes or lungs first: there is nothing to move.");
+  if (document_.breathOutOfDate()) return tr("Changed since this breath was made.");
+  const auto& breath = document_.snapshot().breath;
+  if (breath) return qtText(breath->report.at("basis").get<std::string>());
+  return {};
+}
+
+}  // namespace pneuma

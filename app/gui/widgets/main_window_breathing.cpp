@@ -1,0 +1,116 @@
+#include <QLabel>
+#include <QStackedWidget>
+#include <filesystem>
+
+#include "document/text.h"
+#include "widgets/breath_bar.h"
+#include "widgets/dialogs.h"
+#include "widgets/error_card.h"
+#include "widgets/heading.h"
+#include "widgets/main_window.h"
+#include "widgets/scene_view.h"
+#include "widgets/step_button.h"
+
+// What the window does for breathing.
+namespace pneuma {
+
+void MainWindow::connectBreathing() {
+  connect(actions_.breathe, &QAction::triggered, this, [this] {
+    errorCard_->hide();
+    goTo(BreathingStep);
+    document_.breathe();
+  });
+  connect(actions_.playBreath, &QAction::triggered, &player_, &BreathPlayer::setPlaying);
+  connect(actions_.saveBreath, &QAction::triggered, this, &MainWindow::saveBreath);
+  connect(view_, &SceneView::playToggled, this, [this] { player_.setPlaying(!player_.playing()); });
+  connect(view_, &SceneView::stepped, &player_, &BreathPlayer::step);
+  connect(&document_, &Document::breatheOptionsChanged, this, &MainWindow::updateSteps);
+  connect(&player_, &BreathPlayer::moved, this, [this] {
+    if (shownBreath_) view_->setBreath(scaleAt(*shownBreath_, player_.phase()));
+  });
+  connect(&player_, &BreathPlayer::changed, this, [this] {
+    view_->setPlaying(player_.playing());
+    if (shownBreath_) showMoment();
+    updateBreathingActions();
+  });
+}
+
+std::shared_ptr<const AirwayTree> MainWindow::treeToShow() const {
+  return shownBreath_ ? shownBreath_->lungs.tree : shownTree_;
+}
+
+void MainWindow::showMoment() {
+  view_->setBreathing(shownBreath_->scenes[static_cast<std::size_t>(player_.colour())]);
+  view_->setBreath(scaleAt(*shownBreath_, player_.phase()));
+}
+
+void MainWindow::showBreathing() {
+  const bool here = steps_[BreathingStep]->isChecked();
+  const auto breath = here ? document_.snapshot().breath : nullptr;
+  charts_->setCurrentIndex(here ? 1 : 0);
+  setHeading(*chartHeading_, here ? tr("Volume and pressure") : tr("Branches per generation"));
+  if (breath == shownBreath_) return;
+  shownBreath_ = breath;
+  if (breath) {
+    view_->setSurfaces(breath->surfaces);
+  } else {
+    std::vector<SceneSurface> surfaces;
+    if (shownSurfaces_) {
+      for (const LobeSurface& surface : *shownSurfaces_) {
+        surfaces.push_back({surface.lobe, surface.mesh});
+      }
+    }
+    view_->setSurfaces(std::move(surfaces));
+  }
+  applyVisibility();
+  player_.setBreath(breath);
+  if (!breath) return;
+  view_->resetView();  // with room for the deepest breath
+  player_.setPlaying(true);
+}
+
+void MainWindow::saveBreath() {
+  errorCard_->hide();
+  askWhereToSave(this, tr("Save the breath"), tr("ParaView collection (*.pvd)"),
+                 QStringLiteral("pvd"), [this](const QString& name) {
+                   document_.saveBreath(std::filesystem::path(name.toStdString()));
+                 });
+}
+
+void MainWindow::updateBreathingActions() {
+  const bool busy = document_.jobs().busy();
+  const bool lungs = document_.canBreathe();
+  const bool breath = document_.snapshot().breath != nullptr;
+  actions_.breathe->setEnabled(lungs && !busy);
+  actions_.breathe->setToolTip(busy    ? tr("A job is running")
+                               : lungs ? tr("Make lungs and airways breathe")
+                                       : tr("Open lobes or lungs first"));
+  actions_.saveBreath->setEnabled(breath && !busy);
+  actions_.saveBreath->setToolTip(breath ? tr("A frame for every moment, for ParaView")
+                                         : tr("Nothing breathes yet"));
+  actions_.playBreath->setEnabled(player_.breath() != nullptr);
+  actions_.playBreath->setChecked(player_.playing());
+  actions_.playBreath->setToolTip(player_.playing() ? tr("Stand still (Space in the 3-D view)")
+                                                    : tr("Play (Space in the 3-D view)"));
+}
+
+void MainWindow::updateBreathingStep() {
+  StepButton& step = *steps_[BreathingStep];
+  const auto& breath = document_.snapshot().breath;
+  if (document_.breathing()) {
+    step.setState(StepState::Running, {});
+  } else if (!breath) {
+    step.setState(StepState::ToDo, {});
+  } else if (document_.breathOutOfDate()) {
+    step.setState(StepState::OutOfDate, {});
+  } else {
+    bool fine = breath->lungs.warnings.empty();
+    for (const PropertyRow& row : breathSheet(*breath).rows) {
+      fine = fine && row.kind != PropertyRow::Kind::Look;
+    }
+    step.setState(fine ? StepState::Done : StepState::CheckMe,
+                  withUnit(1000.0 * breath->lungs.cycle.tidal, 0, "mL"));
+  }
+}
+
+}  // namespace pneuma

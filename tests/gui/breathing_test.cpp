@@ -1,0 +1,144 @@
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <gtest/gtest.h>
+
+#include "document/breath_player.h"
+#include "document/document.h"
+#include "geometry/test_surfaces.h"
+#include "io/surface_file.h"
+
+namespace pneuma {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A document of two ellipsoids of 2.5 and 2.2 l for lungs.
+class BreathingTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    writeLung("right.stl", -75.0, 120.0);
+    writeLung("left.stl", 75.0, 105.0);
+    document.open({fs::path(folder.path().toStdString())});
+    ASSERT_TRUE(idle());
+    ASSERT_EQ(failed.count(), 0) << failed.at(0).at(1).toString().toStdString();
+  }
+
+  void writeLung(const char* name, double x, double half) const {
+    TriangleMesh mesh = testing::sphere(1.0, Vec3::Zero(), 4);
+    for (Vec3& p : mesh.points) p = Vec3(x, 0.0, 0.0) + p.cwiseProduct(Vec3(58.0, 85.0, half));
+    writeSurface(fs::path(folder.path().toStdString()) / name, mesh);
+  }
+
+  bool idle() {
+    return QTest::qWaitFor([this] { return !document.jobs().busy(); }, 60000);
+  }
+
+  void breathe() {
+    document.breathe();
+    EXPECT_TRUE(document.breathing());
+    ASSERT_TRUE(idle());
+    ASSERT_EQ(failed.count(), 0) << failed.at(0).at(1).toString().toStdString();
+    ASSERT_NE(document.snapshot().breath, nullptr);
+    EXPECT_FALSE(document.breathing());
+  }
+
+  QTemporaryDir folder;
+  Document document;
+  QSignalSpy failed{&document, &Document::failed};
+};
+
+TEST_F(BreathingTest, BreathesAndTakesItBack) {
+  ASSERT_TRUE(document.canBreathe());
+  breathe();
+  const Breath& breath = *document.snapshot().breath;
+  EXPECT_NEAR(1000.0 * breath.lungs.cycle.tidal, 500.0, 5.0);
+  EXPECT_GT(breath.farthestMm, 2.0);
+  EXPECT_FALSE(document.breathOutOfDate());
+  BreatheOptions options = document.breatheOptions();
+  options.tidalMl = 300.0;
+  document.setBreatheOptions(options);
+  EXPECT_TRUE(document.breathOutOfDate());
+  document.undo();
+  EXPECT_EQ(document.snapshot().breath, nullptr);
+}
+
+TEST_F(BreathingTest, VolumesAtAnyMomentAreTheCurves) {
+  breathe();
+  const Breath& breath = *document.snapshot().breath;
+  for (const double phase : {0.0, 0.13, 0.4, 0.77, 1.2}) {
+    const BreathScale scale = scaleAt(breath, phase);
+    double sum = 0.0;
+    for (const MovingSurface& surface : breath.lungs.surfaces) {
+      sum += signedVolumeMm3(surfaceAt(surface, scale.of(surface.side))) / 1000.0;
+    }
+    EXPECT_NEAR(sum, volumeMlAt(breath, phase), 1e-3) << phase;
+    double rest = 0.0;
+    for (const auto& [side, volume] : breath.lungs.volume) rest += volume.a[0] / 1000.0;
+    EXPECT_NEAR(sum - rest, 1000.0 * breath.lungs.cycle.at(phase).volume, 1e-3) << phase;
+  }
+}
+
+TEST_F(BreathingTest, ScenesHaveAMotionForEverySurface) {
+  breathe();
+  const Breath& breath = *document.snapshot().breath;
+  ASSERT_EQ(breath.surfaces.size(), 2U);
+  for (const auto& scene : breath.scenes) {
+    ASSERT_EQ(scene->surfaces.size(), 2U);
+    for (std::size_t i = 0; i < 2; ++i) {
+      EXPECT_EQ(scene->surfaces[i].displacement.size(), breath.surfaces[i].mesh->points.size());
+    }
+  }
+  EXPECT_TRUE(breath.scenes[0]->surfaces[0].values.empty());
+  EXPECT_FALSE(breath.scenes[1]->surfaces[0].values.empty());
+  EXPECT_FALSE(breath.scenes[2]->surfaces[0].values.empty());
+}
+
+TEST_F(BreathingTest, ABreathThatFoldsIsRefusedAndNothingChanges) {
+  BreatheOptions options;
+  options.tidalMl = 9999.0;
+  document.setBreatheOptions(options);
+  document.breathe();
+  ASSERT_TRUE(idle());
+  ASSERT_EQ(failed.count(), 1);
+  EXPECT_EQ(document.snapshot().breath, nullptr);
+  EXPECT_FALSE(document.breathing());
+}
+
+TEST_F(BreathingTest, SavesABreathForParaView) {
+  breathe();
+  const fs::path pvd = fs::path(folder.path().toStdString()) / "breath.pvd";
+  document.saveBreath(pvd);
+  ASSERT_TRUE(idle());
+  EXPECT_EQ(failed.count(), 0);
+  EXPECT_TRUE(fs::exists(pvd));
+  EXPECT_TRUE(fs::exists(pvd.parent_path() / "breath_0019.vtp"));
+}
+
+TEST_F(BreathingTest, ThePlayerGoesOnWithTheClockAndRoundAndRound) {
+  breathe();
+  BreathPlayer player;
+  player.setPlaying(true);
+  EXPECT_FALSE(player.playing()) << "there is nothing to play";
+  player.setBreath(document.snapshot().breath);
+  QSignalSpy moved(&player, &BreathPlayer::moved);
+  player.setSpeed(4.0);
+  player.setPlaying(true);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return player.phase() > 0.1; }, 5000));
+  EXPECT_GT(moved.count(), 2);
+  player.setPlaying(false);
+  player.setPhase(3.25);
+  EXPECT_NEAR(player.phase(), 0.25, 1e-12);
+  player.step(1);
+  EXPECT_NEAR(player.phase(), 0.3, 1e-12);
+  player.setPhase(0.0);
+  player.step(-1);
+  EXPECT_NEAR(player.phase(), 0.95, 1e-12);
+  player.setPlaying(true);
+  player.setBreath(nullptr);
+  EXPECT_FALSE(player.playing());
+}
+
+}  // namespace
+}  // namespace pneuma
