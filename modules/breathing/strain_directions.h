@@ -16,9 +16,9 @@ std::vector<Vec3> strainDirections(const VertexNeighbours& neighbours, std::span
                                    std::span<const Vec3> normals);
 
 /// A lung's surface that is scaled by steps of volume along fixed directions (section 5.3):
-/// inhaling adds Shot_i SAV(j) n_i to every position, exhaling takes it away. SAV is called a
-/// surface area in the paper, which has no dimension that fits; here SAV(j) = j / sum of
-/// Shot_i n_i . a_i with a_i the area vectors, so that a small step changes the volume by j.
+/// inhaling adds a factor times Shot_i n_i to every position, exhaling takes it away. The paper
+/// calls the factor for a volume j a surface area, which has no dimension that fits; here it is j /
+/// sum of Shot_i n_i . a_i with a_i the area vectors, so that a small step changes the volume by j.
 class VolumeSteps {
  public:
   /// @throws InvalidInput if the counts differ, or the directions do not enlarge the surface
@@ -30,7 +30,7 @@ class VolumeSteps {
   /// Shot_i n_i.
   const std::vector<Vec3>& displacement() const { return displacement_; }
 
-  /// SAV, mm. @param volumeMm3 below 0: exhale
+  /// The factor, mm. @param volumeMm3 below 0: exhale
   double scaleFor(double volumeMm3) const { return volumeMm3 / gain_; }
 
   /// One step. @param volumeMm3 below 0: exhale
