@@ -5,7 +5,7 @@
 #include <numbers>
 #include <string>
 
-#include "breathing/vertex_neighbours.h"
+#include "breathing/surface_points.h"
 #include "core/error.h"
 
 namespace pneuma {
@@ -153,7 +153,7 @@ StrainCurve strainCurve(StrainPreset preset) {
 }
 
 std::vector<std::uint32_t> diaphragmaticSurface(const TriangleMesh& surface) {
-  const std::vector<Vec3> normals = vertexNormals(surface);
+  const std::vector<Vec3> normals = pointNormals(surface);
   const Box3 box = bounds(surface);
   std::vector<std::uint32_t> found;
   for (std::size_t n = 0; n < surface.points.size(); ++n) {

@@ -38,13 +38,4 @@ std::vector<Vec3> vertexAreaVectors(const TriangleMesh& surface) {
   return areas;
 }
 
-std::vector<Vec3> vertexNormals(const TriangleMesh& surface) {
-  std::vector<Vec3> normals = vertexAreaVectors(surface);
-  for (Vec3& normal : normals) {
-    const double length = normal.norm();
-    if (length > 0.0) normal /= length;
-  }
-  return normals;
-}
-
 }  // namespace pneuma

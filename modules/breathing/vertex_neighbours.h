@@ -30,7 +30,4 @@ class VertexNeighbours {
 /// volume changes for a small step of it.
 std::vector<Vec3> vertexAreaVectors(const TriangleMesh& surface);
 
-/// Unit normals of the points, weighted by area; zero where the triangles around cancel out.
-std::vector<Vec3> vertexNormals(const TriangleMesh& surface);
-
 }  // namespace pneuma

@@ -7,6 +7,7 @@
 
 #include "breathing/shot_unshot.h"
 #include "breathing/strained_surfaces.h"
+#include "breathing/surface_points.h"
 #include "core/error.h"
 #include "core/parallel.h"
 #include "core/units.h"
@@ -52,7 +53,7 @@ TEST(StrainDirections, AreTheNormalsWhereAllMoveAlike) {
   }
   const VertexNeighbours neighbours(flat);
   const std::vector<double> equal(9, 0.2);
-  for (const Vec3& direction : strainDirections(neighbours, equal, vertexNormals(flat))) {
+  for (const Vec3& direction : strainDirections(neighbours, equal, pointNormals(flat))) {
     EXPECT_TRUE(direction.isApprox(Vec3::UnitZ(), 1e-15));
   }
 }
@@ -61,12 +62,12 @@ TEST(StrainDirections, AreTheSameForAnyNumberOfThreads) {
   const TriangleMesh lung = testing::irregularLung();
   const VertexNeighbours neighbours(lung);
   const auto find = [&] {
-    return strainDirections(neighbours, testing::publishedStrainOf(lung), vertexNormals(lung));
+    return strainDirections(neighbours, testing::publishedStrainOf(lung), pointNormals(lung));
   };
   const std::vector<Vec3> all = find();
   const ThreadLimit one(1);
   EXPECT_EQ(find(), all);
-  EXPECT_GT(angleBetween(all, vertexNormals(lung)), 0.1);
+  EXPECT_GT(angleBetween(all, pointNormals(lung)), 0.1);
   for (const Vec3& direction : all) EXPECT_NEAR(direction.norm(), 1.0, 1e-12);
 }
 
@@ -74,7 +75,7 @@ VolumeSteps stepsOf(const TriangleMesh& lung) {
   const VertexNeighbours neighbours(lung);
   const std::vector<double> strain = testing::publishedStrainOf(lung);
   const std::vector<double> shot = sharedForce(neighbours, strain, strain, ForceSharing::Receiver);
-  return {lung, shot, strainDirections(neighbours, shot, vertexNormals(lung))};
+  return {lung, shot, strainDirections(neighbours, shot, pointNormals(lung))};
 }
 
 /// Share by which a step misses the volume.
@@ -106,7 +107,7 @@ TEST(VolumeSteps, LeadBackToWhereTheyBegan) {
 TEST(VolumeSteps, RefuseWhatDoesNotEnlarge) {
   const TriangleMesh lung = testing::regularLung();
   const std::vector<double> shot(lung.points.size(), 0.2);
-  std::vector<Vec3> inwards = vertexNormals(lung);
+  std::vector<Vec3> inwards = pointNormals(lung);
   for (Vec3& direction : inwards) direction = -direction;
   EXPECT_THROW(VolumeSteps(lung, shot, inwards), InvalidInput);
   EXPECT_THROW(VolumeSteps(lung, {}, inwards), InvalidInput);
