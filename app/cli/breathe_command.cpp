@@ -1,12 +1,16 @@
+#include <algorithm>
 #include <iostream>
 #include <memory>
 
 #include "cli/arguments.h"
+#include "cli/breath_picture.h"
 #include "cli/command.h"
 #include "cli/files.h"
 #include "cli/text.h"
+#include "pipeline/breath_curve.h"
 #include "pipeline/breathe.h"
 #include "pipeline/breathe_files.h"
+#include "pipeline/measured_breath.h"
 
 namespace pneuma::cli {
 namespace {
@@ -14,7 +18,24 @@ namespace {
 struct BreatheArguments {
   std::vector<std::filesystem::path> inputs;
   BreatheOptions options;
+  std::filesystem::path fit;
+  std::filesystem::path curve;
 };
+
+std::filesystem::path tableBeside(const std::filesystem::path& picture) {
+  return std::filesystem::path(picture).replace_extension(".csv");
+}
+
+std::string fitText(const Json& fit) {
+  std::string text = "fitted to " + fixed(fit.at("rms_percent").get<double>(), 2) +
+                     " % of the measured volume: compliance " +
+                     fixed(fit.at("compliance_l_per_cmH2O").get<double>(), 3) +
+                     " l/cmH2O, resistance";
+  for (const Json& part : fit.at("resistance_cmH2O_s_per_l")) {
+    text += " " + fixed(part.get<double>(), 2);
+  }
+  return text + " cmH2O s/l\n";
+}
 
 std::string summary(const Json& report, const std::filesystem::path& output) {
   const Json& breath = report.at("breath");
@@ -27,24 +48,49 @@ std::string summary(const Json& report, const std::filesystem::path& output) {
     rows.push_back({lung.at("lung").get<std::string>(), ml(lung.at("rest_ml")),
                     ml(lung.at("least_ml")), ml(lung.at("most_ml"))});
   }
+  if (report.contains("fit")) text += fitText(report.at("fit"));
   return text + table(rows) + report.at("basis").get<std::string>() + "\n" + failedChecks(report);
 }
 
-ExitCode runBreathe(const BreatheArguments& arguments, const CommonOptions& common,
+ExitCode runBreathe(BreatheArguments arguments, const CommonOptions& common,
                     const Progress& progress) {
   if (common.output.extension() != ".pvd") {
     throw Unsupported("breaths are written for ParaView; '" + common.output.string() +
                       "' should end in .pvd");
   }
   requireOutput(common.output, common.existing());
-  const LungModel model = openFiles(expanded(arguments.inputs), progress.part(0.0, 0.2, "reading"));
+  if (!arguments.curve.empty()) requirePngOutput(arguments.curve, common.existing());
+  MeasuredBreath measured;
+  if (!arguments.fit.empty()) {
+    measured = readMeasuredBreath(arguments.fit);
+    arguments.options.fit = std::make_shared<const BreathFit>(fitBreath(measured));
+  }
+  LungModel model = openFiles(expanded(arguments.inputs), progress.part(0.0, 0.2, "reading"));
+  if (!arguments.fit.empty()) {
+    model.inputs.push_back(inputFile(arguments.fit));
+    arguments.inputs.push_back(arguments.fit);
+  }
   const std::filesystem::path folder = common.output.parent_path();
   std::vector<std::filesystem::path> paths;
   for (const auto& file :
        breathOutputs(common.output, arguments.options.frames, treeOf(model) != nullptr)) {
     paths.push_back(folder / file);
-    requireOutput(paths.back(), common.existing());
-    requireOtherThanInputs(paths.back(), arguments.inputs);
+  }
+  if (!arguments.curve.empty()) {
+    const std::filesystem::path table = tableBeside(arguments.curve);
+    const auto isTable = [&](const std::filesystem::path& path) {
+      return path.lexically_normal() == table.lexically_normal();
+    };
+    if (std::ranges::any_of(paths, isTable)) {
+      throw InvalidOption("the curve's table would be '" + table.string() +
+                          "', which holds the table of frames; name the picture otherwise");
+    }
+    paths.push_back(arguments.curve);
+    paths.push_back(table);
+  }
+  for (const auto& path : paths) {
+    requireOutput(path, common.existing());
+    requireOtherThanInputs(path, arguments.inputs);
   }
   const BreathingLungs lungs =
       breathe(model, arguments.options, progress.part(0.2, 0.7, "breathing"));
@@ -52,6 +98,10 @@ ExitCode runBreathe(const BreatheArguments& arguments, const CommonOptions& comm
   OutputSet outputs;
   for (const auto& path : paths) outputs.add(path);
   writeBreath(common.output, lungs, report, progress.part(0.7, 1.0, "writing"));
+  if (!arguments.curve.empty()) {
+    writeFile(arguments.curve, pngText(breathPicture(lungs.cycle, measured)), common.existing());
+    writeFile(tableBeside(arguments.curve), breathCurveCsv(lungs.cycle), common.existing());
+  }
   outputs.keep();
   if (!common.quiet) printWarnings(report.at("warnings").get<std::vector<std::string>>());
   if (common.json) {
@@ -71,6 +121,15 @@ Run declareBreathe(CLI::App& app, CommonOptions& common) {
            "the airways that were grown in them if they shall move too.")
       ->required();
   addFields(app, arguments->options);
+  app.add_option(
+         "--fit", arguments->fit,
+         "A measured breath (CSV: seconds, pressure_cmH2O, volume_ml) to breathe instead of "
+         "the scenario's: the equation of pressure and volume is fitted to it.")
+      ->type_name("FILE");
+  app.add_option("--curve", arguments->curve,
+                 "Draw pressure and volume of the breath (.png) and write them as a table (.csv) "
+                 "beside it.")
+      ->type_name("FILE");
   addOutput(app, common, "FILE",
             "The collection for ParaView (.pvd). Beside it: a VTP for every frame, of the airways "
             "too, a .vtp.series, the table of volumes and pressures (.csv) and the report (.json).")

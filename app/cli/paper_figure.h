@@ -23,6 +23,11 @@ std::span<const PaperFigure> huangFigures();
 /// every segment in its own colour from the front and from the right (Fig. 7).
 std::span<const PaperFigure> kitaokaFigures();
 
+/// Santhanam 2003: strain over distance for the healthy and the ill (Fig. 5, the mechanism of the
+/// paper), lungs at rest (Fig. 6) and breathed in by 1.5 l (Fig. 7) from the same place, both in one
+/// picture (Fig. 8).
+std::span<const PaperFigure> santhanam2003Figures();
+
 /// Zhang 2003: the tree in the outline of a right lung (Fig. 1); the same with long steps, from two
 /// other centres and with absorbing walls on one sheet; a million particles in three lobes.
 std::span<const PaperFigure> zhangFigures();

@@ -14,8 +14,10 @@ struct PaperFigures {
   std::span<const PaperFigure> (*figures)();
 };
 
-constexpr std::array<PaperFigures, 3> Papers = {
-    {{"huang-2004", huangFigures}, {"kitaoka-1999", kitaokaFigures}, {"zhang-2003", zhangFigures}}};
+constexpr std::array<PaperFigures, 4> Papers = {{{"huang-2004", huangFigures},
+                                                 {"kitaoka-1999", kitaokaFigures},
+                                                 {"santhanam-2003", santhanam2003Figures},
+                                                 {"zhang-2003", zhangFigures}}};
 
 std::span<const PaperFigure> figuresOf(std::string_view paper) {
   return std::ranges::find(Papers, paper, &PaperFigures::paper)->figures();

@@ -11,8 +11,7 @@ namespace pneuma {
 namespace {
 
 constexpr double StepSeconds = 1e-3;
-constexpr double LeastResistance = 0.05;  // cmH2O s / l
-constexpr double Closed = 1e-9;           // l
+constexpr double Closed = 1e-9;  // l
 constexpr int MostBreaths = 200;
 constexpr double MostPressure = 200.0;  // cmH2O
 

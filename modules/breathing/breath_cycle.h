@@ -6,6 +6,9 @@
 
 namespace pneuma {
 
+/// No resistance gets below this, cmH2O s / l.
+inline constexpr double LeastResistance = 0.05;
+
 /// How lungs answer pressure:
 ///   I V'' + R V' + (V - V0) / C = P - P0,
 ///   R = c1 + c2 |V'| + c3 (1 - v)+ + [V' < 0] (c4 + c5 (1 - v)+),  v = (V - V0) / VT,

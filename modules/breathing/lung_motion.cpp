@@ -35,28 +35,60 @@ LungFrame frameOf(Side side, const TriangleMesh& wall) {
 
 }  // namespace
 
-LungMotion::LungMotion(Side side, const TriangleMesh& wall, MotionPreset preset, double mostMm3)
-    : side_(side),
-      wall_(wall),
-      field_(preset, frameOf(side, wall), mostMm3 / signedVolumeMm3(wall) - 1.0),
-      layer_(wall),
-      ofWall_(wall.points.size()) {
-  parallelFor(ofWall_.size(), [&](std::size_t n) { ofWall_[n] = field_.at(wall_.points[n]); });
-  thicknessMm_ = layer_.thicknessFor(ofWall_, mostMm3);
-  for (std::size_t n = 0; n < ofWall_.size(); ++n) {
-    ofWall_[n] += thicknessMm_ * layer_.normals()[n];
+LungMotion::LungMotion(Side side, const TriangleMesh& wall, const LungMotionOptions& options,
+                       double mostMm3)
+    : side_(side), wall_(wall), ofWall_(wall.points.size()) {
+  const LungFrame frame = frameOf(side, wall);
+  if (options.model == MotionModel::Preset) {
+    preset_.emplace(options.preset, frame, mostMm3 / signedVolumeMm3(wall) - 1.0);
+    layer_.emplace(wall);
+    if (options.posture != Posture::Supine) {
+      const SurfaceMotion skin(wall_, frame, MotionModel::Continuous);
+      std::vector<Vec3> difference = skin.at(options.posture, mostMm3);
+      const std::vector<Vec3> supine = skin.at(Posture::Supine, mostMm3);
+      for (std::size_t n = 0; n < supine.size(); ++n) difference[n] -= supine[n];
+      byForces_.emplace(intoTheLung(wall_, difference));
+      forceShare_ = options.postureShare;
+    }
+  } else {
+    const SurfaceMotion moved(wall_, frame, options.model);
+    byForces_.emplace(intoTheLung(wall_, moved.at(options.posture, mostMm3)));
+  }
+  parallelFor(ofWall_.size(), [&](std::size_t n) { ofWall_[n] = fieldAt(wall_.points[n]); });
+  if (layer_) {
+    thicknessMm_ = layer_->thicknessFor(ofWall_, mostMm3);
+    for (std::size_t n = 0; n < ofWall_.size(); ++n) {
+      ofWall_[n] += thicknessMm_ * layer_->normals()[n];
+    }
+  } else {
+    // Between its centres the field is not quite the wall's.
+    forceShare_ = multipleFor(wall_, ofWall_, mostMm3);
+    for (Vec3& u : ofWall_) u *= forceShare_;
   }
   volume_ = volumePolynomial(wall_, ofWall_);
   maxScale_ = 0.5 * foldLimit(wall_, ofWall_).value_or(NeverFolds);
   minScale_ = 0.5 * foldLimit(wall_, ofWall_, -1.0).value_or(-NeverFolds);
 }
 
-Vec3 LungMotion::at(const Vec3& p) const { return field_.at(p) + thicknessMm_ * layer_.at(p); }
+Vec3 LungMotion::fieldAt(const Vec3& p) const {
+  if (!byForces_) return preset_->at(p);
+  const Vec3 byForces = forceShare_ * byForces_->at(p);
+  return preset_ ? Vec3(preset_->at(p) + byForces) : byForces;
+}
+
+Vec3 LungMotion::at(const Vec3& p) const {
+  return layer_ ? Vec3(fieldAt(p) + thicknessMm_ * layer_->at(p)) : fieldAt(p);
+}
 
 FieldAt LungMotion::withGradientAt(const Vec3& p) const {
-  const FieldAt layer = layer_.withGradientAt(p);
-  return {field_.at(p) + thicknessMm_ * layer.value,
-          field_.gradientAt(p) + thicknessMm_ * layer.gradient};
+  FieldAt field{fieldAt(p), Eigen::Matrix3d::Zero()};
+  if (preset_) field.gradient += preset_->gradientAt(p);
+  if (byForces_) field.gradient += forceShare_ * byForces_->gradientAt(p);
+  if (!layer_) return field;
+  const FieldAt layer = layer_->withGradientAt(p);
+  field.value += thicknessMm_ * layer.value;
+  field.gradient += thicknessMm_ * layer.gradient;
+  return field;
 }
 
 double LungMotion::scaleFor(const VolumePolynomial& volume, double volumeMm3) const {

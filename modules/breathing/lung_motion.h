@@ -5,23 +5,43 @@
 #include <vector>
 
 #include "breathing/motion_preset.h"
+#include "breathing/radial_field.h"
+#include "breathing/surface_motion.h"
 #include "breathing/volume_layer.h"
 #include "breathing/volume_polynomial.h"
 
 namespace pneuma {
+
+/// What a lung's field of displacements is made of.
+struct LungMotionOptions {
+  MotionPreset preset = MotionPreset::Quiet;  ///< of the model Preset
+  MotionModel model = MotionModel::Preset;
+  Posture posture = Posture::Supine;  ///< the presets are those of people lying on their back
+  double postureShare = 1.0;          ///< of the difference that the preset takes up
+};
 
 /// One field of displacements for a whole lung, from the end of expiration on: everything in it,
 /// its lobes, fissures and airways, moves to x + s u(x). s = 0 is the lung at rest, s = 1 the
 /// largest volume that the field was made for. As all take the same field, lobes that share a point
 /// keep it shared and no gap opens. The direction of a point stays the same through a breath; how
 /// far it goes is s, and s comes from the enclosed volume exactly.
+/// With the model Preset u is the preset's; in another posture than supine it is
+///   u_preset + share (u_elastic(posture) - u_elastic(supine)),
+/// the difference found at the wall (SurfaceMotion) and carried on into the lung, so that what was
+/// measured stays as it is where it was measured. What lacks in volume is in a layer at the wall.
+/// With the other models u is the wall's alone, carried on into the lung and brought to the volume
+/// as a whole.
 class LungMotion {
  public:
   /// @param wall the closed surface of the whole lung at rest, LPS, mm
   /// @param mostMm3 the largest volume it takes
   /// @throws InvalidInput if the wall is inside out, its box is no lung's (50 to 500 mm), or the
   /// volume cannot be reached
-  LungMotion(Side side, const TriangleMesh& wall, MotionPreset preset, double mostMm3);
+  LungMotion(Side side, const TriangleMesh& wall, const LungMotionOptions& options, double mostMm3);
+
+  /// Supine, by a preset.
+  LungMotion(Side side, const TriangleMesh& wall, MotionPreset preset, double mostMm3)
+      : LungMotion(side, wall, LungMotionOptions{preset}, mostMm3) {}
 
   Side side() const { return side_; }
 
@@ -57,10 +77,15 @@ class LungMotion {
   double layerMm() const { return thicknessMm_; }
 
  private:
+  /// u without the layer.
+  Vec3 fieldAt(const Vec3& p) const;
+
   Side side_;
   TriangleMesh wall_;
-  PresetField field_;
-  VolumeLayer layer_;
+  std::optional<PresetField> preset_;    // of the model Preset
+  std::optional<VolumeLayer> layer_;     // likewise
+  std::optional<RadialField> byForces_;  // in other postures and of other models
+  double forceShare_ = 1.0;
   double thicknessMm_ = 0.0;
   std::vector<Vec3> ofWall_;
   VolumePolynomial volume_;

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <string>
 
-#include <Eigen/IterativeLinearSolvers>
 #include <Eigen/LU>
-#include <Eigen/SparseCore>
 
+#include "breathing/screened_laplacian.h"
+#include "breathing/surface_points.h"
 #include "breathing/volume_polynomial.h"
 #include "core/error.h"
 #include "geometry/nearest_triangle.h"
@@ -17,70 +17,25 @@ namespace {
 
 constexpr double DepthMm = 15.0;
 constexpr double SmoothMm = 10.0;
-constexpr double MostCotangent = 100.0;  // of slivers
 constexpr double SolvedTo = 1e-8;
 constexpr double NearWallMm = 1e-6;
 constexpr double LeastStretch = 0.1;
 constexpr double MostMm = 10.0;  // of a; its slope in depth is a / 15 mm
 
-std::vector<Vec3> areaNormals(const TriangleMesh& surface) {
-  std::vector<Vec3> normals(surface.points.size(), Vec3::Zero());
-  for (const auto& [i, j, k] : surface.triangles) {
-    const Vec3 area =
-        (surface.points[j] - surface.points[i]).cross(surface.points[k] - surface.points[i]);
-    for (const std::uint32_t n : {i, j, k}) normals[n] += area;
-  }
-  return normals;
-}
-
-void normalise(std::vector<Vec3>& normals) {
-  for (Vec3& normal : normals) {
-    const double length = normal.norm();
-    if (length > 0.0) normal /= length;
-  }
-}
-
-/// Normals that change over SmoothMm whatever the triangles' size: N of (M + l^2 L) N = M N0, with
-/// M the area of each point and L the cotangent Laplacian, weights below 0 left out.
+/// Normals that change over SmoothMm whatever the triangles' size: N of (M + l^2 L) N = M N0.
 std::vector<Vec3> smoothedNormals(const TriangleMesh& surface) {
-  std::vector<Vec3> normals = areaNormals(surface);
-  normalise(normals);
-  const auto count = static_cast<Eigen::Index>(normals.size());
-  std::vector<Eigen::Triplet<double>> entries;
-  entries.reserve(15 * surface.triangles.size());
-  Eigen::MatrixX3d wanted = Eigen::MatrixX3d::Zero(count, 3);
-  for (const auto& triangle : surface.triangles) {
-    const Vec3& a = surface.points[triangle[0]];
-    const double area =
-        0.5 * (surface.points[triangle[1]] - a).cross(surface.points[triangle[2]] - a).norm();
-    for (std::size_t corner = 0; corner < 3; ++corner) {
-      const std::uint32_t at = triangle[corner];
-      const std::uint32_t i = triangle[(corner + 1) % 3];
-      const std::uint32_t j = triangle[(corner + 2) % 3];
-      entries.emplace_back(at, at, area / 3.0);
-      wanted.row(at) += area / 3.0 * normals[at].transpose();
-      const Vec3 toI = surface.points[i] - surface.points[at];
-      const Vec3 toJ = surface.points[j] - surface.points[at];
-      const double sine = toI.cross(toJ).norm();
-      const double cotangent =
-          sine > 0.0 ? std::clamp(toI.dot(toJ) / sine, 0.0, MostCotangent) : 0.0;
-      const double weight = 0.5 * SmoothMm * SmoothMm * cotangent;
-      entries.emplace_back(i, i, weight);
-      entries.emplace_back(j, j, weight);
-      entries.emplace_back(i, j, -weight);
-      entries.emplace_back(j, i, -weight);
-    }
+  std::vector<Vec3> normals = pointNormals(surface);
+  const std::vector<double> areas = pointAreas(surface);
+  const PointMatrix matrix = screenedLaplacian(surface, areas, {}, SmoothMm);
+  std::vector<double> wanted(areas.size());
+  for (int axis = 0; axis < 3; ++axis) {
+    for (std::size_t n = 0; n < areas.size(); ++n) wanted[n] = areas[n] * normals[n][axis];
+    const std::vector<double> solved = solve(matrix, wanted, {SolvedTo});
+    for (std::size_t n = 0; n < areas.size(); ++n) normals[n][axis] = solved[n];
   }
-  Eigen::SparseMatrix<double> matrix(count, count);
-  matrix.setFromTriplets(entries.begin(), entries.end());
-  Eigen::ConjugateGradient<Eigen::SparseMatrix<double>, Eigen::Lower | Eigen::Upper> solver;
-  solver.setTolerance(SolvedTo);
-  solver.compute(matrix);
-  const Eigen::MatrixX3d solved = solver.solve(wanted);
-  for (std::size_t n = 0; n < normals.size(); ++n) {
-    normals[n] = solved.row(static_cast<Eigen::Index>(n)).transpose();
+  for (Vec3& normal : normals) {
+    if (!normal.isZero(0.0)) normal.normalize();
   }
-  normalise(normals);
   return normals;
 }
 

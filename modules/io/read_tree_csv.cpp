@@ -5,6 +5,7 @@
 
 #include "core/error.h"
 #include "io/detail/branch_rows.h"
+#include "io/detail/csv_fields.h"
 #include "io/detail/text_fields.h"
 #include "io/detail/tree_comments.h"
 #include "io/detail/tree_formats.h"
@@ -40,24 +41,6 @@ constexpr std::array<std::string_view, 8> DerivedColumns = {
 
 constexpr std::array<Column, 9> RequiredColumns = {Id, Parent, X0, Y0, Z0, X1, Y1, Z1, Diameter};
 
-std::string_view unquoted(std::string_view field) {
-  field = trimmed(field);
-  if (field.size() >= 2 && field.front() == '"' && field.back() == '"') {
-    field = trimmed(field.substr(1, field.size() - 2));
-  }
-  return field;
-}
-
-void split(std::string_view line, char delimiter, std::vector<std::string_view>& fields) {
-  fields.clear();
-  for (;;) {
-    const std::size_t end = line.find(delimiter);
-    fields.push_back(unquoted(line.substr(0, end)));
-    if (end == std::string_view::npos) return;
-    line.remove_prefix(end + 1);
-  }
-}
-
 /// The table's head: where in a line the columns that are read stand.
 struct Head {
   std::vector<std::string> names;
@@ -72,11 +55,9 @@ struct Head {
 Head headOf(std::string_view line, const std::string& name, std::vector<std::string>& notes) {
   Head head;
   head.place.fill(Head::Missing);
-  if (line.find(',') == std::string_view::npos) {
-    head.delimiter = line.find(';') != std::string_view::npos ? ';' : '\t';
-  }
+  head.delimiter = csvDelimiter(line);
   std::vector<std::string_view> fields;
-  split(line, head.delimiter, fields);
+  splitCsv(line, head.delimiter, fields);
   for (std::size_t i = 0; i < fields.size(); ++i) {
     const std::string column = lowerCase(fields[i]);
     head.names.push_back(column);
@@ -162,9 +143,7 @@ BranchRow branchRow(const Head& head, const Row& row) {
 }  // namespace
 
 TreeFile readTreeCsv(const std::string& content, const std::string& name) {
-  constexpr std::string_view ByteOrderMark = "\xEF\xBB\xBF";
-  std::string_view text = content;
-  if (text.starts_with(ByteOrderMark)) text.remove_prefix(ByteOrderMark.size());
+  const std::string_view text = withoutByteOrderMark(content);
   TreeFile file;
   file.format = "CSV";
   TreeComments comments;
@@ -182,7 +161,7 @@ TreeFile readTreeCsv(const std::string& content, const std::string& name) {
       head = headOf(*line, name, file.notes);
       continue;
     }
-    split(*line, head->delimiter, fields);
+    splitCsv(*line, head->delimiter, fields);
     if (fields.size() != head->names.size()) {
       throw InvalidInput(name + ", line " + std::to_string(lines.number()) + " has " +
                          std::to_string(fields.size()) + " columns, the first line has " +

@@ -19,8 +19,25 @@ MotionPreset presetOf(const BreatheOptions& options) {
   return scenarioOf(options.scenario).deep ? MotionPreset::Deep : MotionPreset::Quiet;
 }
 
+/// The curve that was measured.
+BreathCycle measuredCycle(const BreatheOptions& options, BreathDrive& drive) {
+  if (options.tidalMl > 0.0 || options.periodSeconds > 0.0) {
+    throw InvalidOption(
+        "a measured breath has its own volume and period; leave --tidal and --period out");
+  }
+  const auto& samples = options.fit->cycle.samples;
+  const auto fullest = std::ranges::max_element(samples, {}, &BreathSample::volume);
+  const auto hardest = std::ranges::max_element(samples, {}, &BreathSample::pressure);
+  drive.period = options.fit->period;
+  drive.inspiration = fullest->seconds;
+  drive.relaxation = drive.period - drive.inspiration;
+  drive.peak = hardest->pressure - options.fit->offset;
+  return options.fit->cycle;
+}
+
 /// The curve of the scenario, brought to the volume and period that were asked for.
 BreathCycle cycleOf(const BreatheOptions& options, BreathDrive& drive) {
+  if (options.fit) return measuredCycle(options, drive);
   const BreathScenario& scenario = scenarioOf(options.scenario);
   BreathMechanics mechanics = scenario.mechanics;
   drive = scenario.drive;

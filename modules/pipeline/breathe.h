@@ -2,6 +2,7 @@
 
 #include <array>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <tuple>
@@ -9,6 +10,7 @@
 
 #include "anatomy/tree_motion.h"
 #include "breathing/breath_cycle.h"
+#include "breathing/breath_fit.h"
 #include "breathing/lung_motion.h"
 #include "core/options.h"
 #include "core/progress.h"
@@ -36,6 +38,9 @@ struct BreatheOptions {
   int frames = 20;
   MotionChoice motion = MotionChoice::Scenario;
   AffectedLung affected = AffectedLung::Left;
+  /// A measured breath, which is breathed instead of the scenario's; null: none. Volume and period
+  /// are its own then.
+  std::shared_ptr<const BreathFit> fit = nullptr;
 
   static constexpr auto fields() {
     using O = BreatheOptions;
@@ -93,7 +98,8 @@ struct BreathingLungs {
 /// says.
 /// @param model with surfaces of lobes or whole lungs; its tree breathes with them
 /// @throws InvalidInput if there is no lung, it is open or no lung by its size, the tree lies
-/// elsewhere, or the breath would fold the lung; Cancelled
+/// elsewhere, or the breath would fold the lung; InvalidOption if a measured breath shall have
+/// another volume or period; Cancelled
 BreathingLungs breathe(const LungModel& model, const BreatheOptions& options,
                        const Progress& progress = {});
 

@@ -9,6 +9,17 @@ namespace pneuma {
 namespace {
 
 constexpr double MostVolumeErrorMl = 1e-6;
+constexpr double PaperRms = 0.01;  // of the tidal volume, for five control parameters
+
+Json fitJson(const BreathFit& fit) {
+  return {{"resistance_cmH2O_s_per_l", fit.resistance},
+          {"compliance_l_per_cmH2O", fit.compliance},
+          {"offset_cmH2O", fit.offset},
+          {"inertance_cmH2O_s2_per_l", fit.inertance},
+          {"measured_tidal_ml", 1000.0 * fit.tidal},
+          {"rms_percent", 100.0 * fit.rms},
+          {"simulations", fit.simulations}};
+}
 
 /// How far the moved surfaces' volumes of a lung are from the curve's, at most, ml.
 double volumeErrorMl(const BreathingLungs& lungs, Side side) {
@@ -41,6 +52,15 @@ Json breatheReport(const LungModel& model, const BreathingLungs& lungs,
                       {"trapped_ml", 1000.0 * lungs.cycle.trapped},
                       {"peak_inspiratory_ml_per_s", 1000.0 * lungs.cycle.peakInspiratory},
                       {"peak_expiratory_ml_per_s", 1000.0 * lungs.cycle.peakExpiratory}};
+  if (options.fit) {
+    report["scenario"] = "Measured breath";
+    report["fit"] = fitJson(*options.fit);
+    if (options.fit->rms > PaperRms) {
+      report["warnings"].push_back(
+          "The fitted curve differs by more than 1 % of the volume of the measured breath; look at "
+          "it with --curve.");
+    }
+  }
   report["lungs"] = Json::array();
   std::vector<LobeCheck> checks;
   for (const auto& [of, motion] : lungs.motion) {

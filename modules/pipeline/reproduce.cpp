@@ -10,7 +10,9 @@
 namespace pneuma {
 namespace {
 
-std::array<const Paper*, 3> papers() { return {&huang2004(), &kitaoka1999(), &zhang2003()}; }
+std::array<const Paper*, 4> papers() {
+  return {&huang2004(), &kitaoka1999(), &santhanam2003(), &zhang2003()};
+}
 
 const Paper& paperOfName(std::string_view name) {
   for (const Paper* paper : papers()) {
@@ -65,7 +67,7 @@ Reproduction reproduce(std::string_view paper, const ReproduceOptions& options,
   const Paper& found = paperOfName(paper);
   Reproduction result;
   result.paper = found.name;
-  result.citation = growthMethod(found.method).citation;
+  result.citation = found.citation;
   found.reproduce(options, result, progress);
   progress.report(1.0);
   return result;

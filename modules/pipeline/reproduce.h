@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -35,17 +37,22 @@ struct Limit {
   bool holds(double published, double measured) const;
 };
 
+/// Of a figure that the paper does not print: ours is held to what it must be.
+inline constexpr double NotPublished = std::numeric_limits<double>::quiet_NaN();
+
 /// One figure of a paper beside ours.
 struct ReproducedRow {
-  std::string row;       ///< as in the paper's table, for example "0.41"
-  std::string quantity;  ///< for example "terminals"
-  double published = 0.0;
+  std::string row;         ///< as in the paper's table, for example "0.41"
+  std::string quantity;    ///< for example "terminals"
+  double published = 0.0;  ///< or NotPublished, with a limit of Range or Nothing
   double measured = 0.0;
   Limit limit;
   std::string note;  ///< why the limit is wide, or what the paper says in words; may be empty
 
   /// measured / published - 1; 0 if the published figure is 0
   double relative() const { return published != 0.0 ? measured / published - 1.0 : 0.0; }
+
+  bool isPublished() const { return !std::isnan(published); }
 
   bool ok() const { return limit.holds(published, measured); }
 };
@@ -56,7 +63,7 @@ struct ReproducedTable {
   std::vector<ReproducedRow> rows;
 };
 
-/// A grown organ that a figure of the paper shows.
+/// An organ that a figure of the paper shows.
 struct ReproducedFigure {
   std::string name;  ///< "6a"
   LungModel model;

@@ -158,7 +158,7 @@ void reproduceHuang(const ReproduceOptions& options, Reproduction& result,
 }  // namespace
 
 const Paper& huang2004() {
-  static const Paper paper{"huang-2004", "centroid", Tables, reproduceHuang};
+  static const Paper paper{"huang-2004", growthMethod("centroid").citation, Tables, reproduceHuang};
   return paper;
 }
 

@@ -99,7 +99,8 @@ const Paper& kitaoka1999() {
     for (const KitaokaTable& table : kitaokaTables()) names.push_back({table.id, table.name});
     return names;
   }();
-  static const Paper paper{"kitaoka-1999", "kitaoka", tables, reproduceKitaoka};
+  static const Paper paper{"kitaoka-1999", growthMethod("kitaoka").citation, tables,
+                           reproduceKitaoka};
   return paper;
 }
 

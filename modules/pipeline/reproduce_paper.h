@@ -16,7 +16,7 @@ struct PaperTable {
 /// A paper with its experiments; each has a source file of its own.
 struct Paper {
   std::string_view name;
-  std::string_view method;  ///< of growth; its citation is the paper
+  std::string_view citation;
   std::span<const PaperTable> tables;
 
   /// Fills tables and figures. The table that is asked for is one of `tables`, or all.
@@ -26,6 +26,7 @@ struct Paper {
 
 const Paper& huang2004();
 const Paper& kitaoka1999();
+const Paper& santhanam2003();
 const Paper& zhang2003();
 
 /// True if the options ask for this table.

@@ -37,12 +37,14 @@ Json limitJson(const Limit& limit) {
 Json rowJson(const ReproducedRow& row) {
   Json json = {{"row", row.row},
                {"quantity", row.quantity},
-               {"published", row.published},
                {"measured", row.measured},
-               {"relative", row.relative()},
                {"limit", limitJson(row.limit)},
                {"limit_of", nameOf(row.limit.of)},
                {"ok", row.ok()}};
+  if (row.isPublished()) {
+    json["published"] = row.published;
+    json["relative"] = row.relative();
+  }
   if (!row.note.empty()) json["note"] = row.note;
   return json;
 }
@@ -56,6 +58,7 @@ std::string formatted(const char* format, Values... values) {
 
 /// Counts whole, everything else to four digits.
 std::string figureText(double value) {
+  if (std::isnan(value)) return "-";
   return formatted(std::abs(value) >= 1000.0 ? "%.0f" : "%.4g", value);
 }
 
@@ -74,6 +77,7 @@ std::string limitText(const Limit& limit) {
 }
 
 std::string offText(const ReproducedRow& row) {
+  if (!row.isPublished()) return "-";
   if (row.limit.of == Limit::Of::Relative) return formatted("%+.1f %%", 100.0 * row.relative());
   return formatted("%+.3g", row.measured - row.published);
 }

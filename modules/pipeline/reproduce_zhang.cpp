@@ -268,7 +268,7 @@ void reproduceZhang(const ReproduceOptions& options, Reproduction& result,
 }  // namespace
 
 const Paper& zhang2003() {
-  static const Paper paper{"zhang-2003", "dla", ZhangTables, reproduceZhang};
+  static const Paper paper{"zhang-2003", growthMethod("dla").citation, ZhangTables, reproduceZhang};
   return paper;
 }
 

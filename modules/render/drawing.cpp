@@ -157,6 +157,40 @@ void drawRing(Picture& picture, double x, double y, double radius, double thickn
   }
 }
 
+void drawPolyline(Picture& picture, std::span<const std::array<double, 2>> points, double thickness,
+                  const Rgb& colour) {
+  const auto width = static_cast<std::size_t>(picture.width);
+  std::vector<double> cover(width * static_cast<std::size_t>(picture.height), 0.0);
+  const double reach = 0.5 * thickness + 1.0;
+  for (std::size_t n = 1; n < points.size(); ++n) {
+    const auto [ax, ay] = points[n - 1];
+    const auto [bx, by] = points[n];
+    const double squared = (bx - ax) * (bx - ax) + (by - ay) * (by - ay);
+    const int firstX = std::max(0, static_cast<int>(std::floor(std::min(ax, bx) - reach)));
+    const int firstY = std::max(0, static_cast<int>(std::floor(std::min(ay, by) - reach)));
+    const int endX = std::min(picture.width, static_cast<int>(std::ceil(std::max(ax, bx) + reach)));
+    const int endY =
+        std::min(picture.height, static_cast<int>(std::ceil(std::max(ay, by) + reach)));
+    for (int y = firstY; y < endY; ++y) {
+      for (int x = firstX; x < endX; ++x) {
+        const double dx = x + 0.5 - ax;
+        const double dy = y + 0.5 - ay;
+        const double along =
+            squared > 0.0 ? std::clamp((dx * (bx - ax) + dy * (by - ay)) / squared, 0.0, 1.0) : 0.0;
+        const double distance = std::hypot(dx - along * (bx - ax), dy - along * (by - ay));
+        double& most = cover[static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x)];
+        most = std::max(most, std::clamp(0.5 * thickness + 0.5 - distance, 0.0, 1.0));
+      }
+    }
+  }
+  const std::array<std::uint8_t, 3> bytes = bytesOf(colour);
+  for (std::size_t n = 0; n < cover.size(); ++n) {
+    if (cover[n] > 0.0) {
+      mix(picture, static_cast<int>(n % width), static_cast<int>(n / width), bytes, cover[n]);
+    }
+  }
+}
+
 void drawText(Picture& picture, const std::string& text, const TextPlace& place, int fontPixels,
               const Rgb& ink, int halo) {
   const TextMask mask = maskOf(text, fontPixels);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <span>
 #include <string>
 
 #include "render/colour.h"
@@ -36,6 +38,10 @@ void fillBox(Picture& picture, double left, double top, double right, double bot
 /// A ring about a point. @param share of the colour
 void drawRing(Picture& picture, double x, double y, double radius, double thickness,
               const Rgb& colour, double share = 1.0);
+
+/// A line through points (x, y), as thick at its joints as anywhere.
+void drawPolyline(Picture& picture, std::span<const std::array<double, 2>> points, double thickness,
+                  const Rgb& colour);
 
 /// A line of text in the picture's font, placed by the height of its capitals.
 /// @param halo pixels of shadow round it, so that it can be read on any ground

@@ -11,8 +11,8 @@ namespace pneuma {
 namespace {
 
 /// An ellipsoid of the size of a lung, 3.1 l.
-TriangleMesh egg(double scale = 1.0) {
-  TriangleMesh mesh = testing::sphere(1.0, Vec3::Zero(), 5);
+TriangleMesh egg(double scale = 1.0, int subdivisions = 5) {
+  TriangleMesh mesh = testing::sphere(1.0, Vec3::Zero(), subdivisions);
   for (Vec3& p : mesh.points) {
     p = Vec3(-70.0, 10.0, 30.0) + scale * p.cwiseProduct(Vec3(60.0, 95.0, 130.0));
   }
@@ -46,18 +46,25 @@ TEST(PresetField, TakesTheTablesConstants) {
   EXPECT_NEAR(quiet.z(), -0.075 * 200.0 * (0.42 - 0.69 + 2.94 - 0.27 - 1.56), 1e-9);
 }
 
-class Motions : public ::testing::TestWithParam<std::pair<MotionPreset, double>> {
- protected:
-  double gain() const { return GetParam().second; }
+struct MotionCase {
+  LungMotionOptions options;
+  double gain;
+  int subdivisions = 5;
+};
 
-  LungMotion motion(const TriangleMesh& mesh) const {
-    return {Side::Right, mesh, GetParam().first, (1.0 + gain()) * signedVolumeMm3(mesh)};
+class Motions : public ::testing::TestWithParam<MotionCase> {
+ protected:
+  double gain() const { return GetParam().gain; }
+
+  const TriangleMesh mesh = egg(1.0, GetParam().subdivisions);
+
+  LungMotion motion() const {
+    return {Side::Right, mesh, GetParam().options, (1.0 + gain()) * signedVolumeMm3(mesh)};
   }
 };
 
 TEST_P(Motions, HaveTheVolumeAskedForAtEveryStep) {
-  const TriangleMesh mesh = egg();
-  const LungMotion moved = motion(mesh);
+  const LungMotion moved = motion();
   EXPECT_NEAR(moved.scaleFor((1.0 + gain()) * moved.restMm3()), 1.0, 1e-9);
   EXPECT_NEAR(moved.scaleFor(moved.restMm3()), 0.0, 1e-12);
   for (int step = -2; step <= 12; ++step) {
@@ -70,14 +77,14 @@ TEST_P(Motions, HaveTheVolumeAskedForAtEveryStep) {
 }
 
 TEST_P(Motions, GiveTheWallAndItsInsideOneField) {
-  const TriangleMesh mesh = egg();
-  const LungMotion moved = motion(mesh);
+  const LungMotion moved = motion();
   for (std::size_t n = 0; n < mesh.points.size(); n += 97) {
     EXPECT_NEAR((moved.at(mesh.points[n]) - moved.ofWall()[n]).norm(), 0.0, 1e-9) << n;
     // 1 % further in the field is at most 2 % of itself and a fifteenth of the layer's millimetre
     // away.
     const Vec3 inner = mesh.points[n] - 0.01 * (mesh.points[n] - Vec3(-70.0, 10.0, 30.0));
-    const double most = 0.03 * moved.ofWall()[n].norm() + 0.1 * std::abs(moved.layerMm());
+    const double most =
+        0.03 * moved.ofWall()[n].norm() + 0.1 * std::max(1.0, std::abs(moved.layerMm()));
     EXPECT_LT((moved.at(inner) - moved.ofWall()[n]).norm(), most) << n;
   }
 }
@@ -112,8 +119,7 @@ TEST_P(Motions, KnowHowTheyChangeFromPlaceToPlace) {
 }
 
 TEST_P(Motions, TurnNothingInsideOut) {
-  const TriangleMesh mesh = egg();
-  const LungMotion moved = motion(mesh);
+  const LungMotion moved = motion();
   std::vector<Vec3> inside;
   for (double share = 0.05; share < 1.0; share += 0.1) {
     const TriangleMesh shell = egg(share);
@@ -127,10 +133,62 @@ TEST_P(Motions, TurnNothingInsideOut) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Presets, Motions,
-                         ::testing::Values(std::pair(MotionPreset::Quiet, 0.15),
-                                           std::pair(MotionPreset::Quiet, 0.25),
-                                           std::pair(MotionPreset::Deep, 0.6),
-                                           std::pair(MotionPreset::Deep, 1.0)));
+                         ::testing::Values(MotionCase{{MotionPreset::Quiet}, 0.15},
+                                           MotionCase{{MotionPreset::Quiet}, 0.25},
+                                           MotionCase{{MotionPreset::Deep}, 0.6},
+                                           MotionCase{{MotionPreset::Deep}, 1.0}));
+
+constexpr LungMotionOptions by(MotionModel model, Posture posture) {
+  return {MotionPreset::Quiet, model, posture};
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    ByForces, Motions,
+    ::testing::Values(MotionCase{by(MotionModel::Preset, Posture::Prone), 0.15, 3},
+                      MotionCase{by(MotionModel::Preset, Posture::LeftLateral), 0.15, 3},
+                      MotionCase{by(MotionModel::Published, Posture::Supine), 0.15, 3},
+                      MotionCase{by(MotionModel::Continuous, Posture::Upright), 0.15, 3}));
+
+TEST(LungMotion, IsThePresetItselfInSupine) {
+  const TriangleMesh mesh = egg();
+  const double most = 1.15 * signedVolumeMm3(mesh);
+  LungMotionOptions supine;
+  supine.postureShare = 0.5;
+  const LungMotion moved(Side::Right, mesh, supine, most);
+  const PresetField preset(MotionPreset::Quiet, LungFrame(Side::Right, bounds(mesh)),
+                           most / signedVolumeMm3(mesh) - 1.0);
+  const VolumeLayer layer(mesh);
+  for (std::size_t n = 0; n < mesh.points.size(); n += 97) {
+    const Vec3 p = 0.9 * mesh.points[n];
+    EXPECT_EQ(moved.at(p), preset.at(p) + moved.layerMm() * layer.at(p));
+  }
+}
+
+TEST(LungMotion, TakesUpTheDifferenceOfAPosture) {
+  const TriangleMesh mesh = egg(1.0, 4);
+  const double most = 1.15 * signedVolumeMm3(mesh);
+  const LungFrame frame(Side::Left, bounds(mesh));
+  const SurfaceMotion skin(mesh, frame, MotionModel::Continuous);
+  const std::vector<Vec3> prone = skin.at(Posture::Prone, most);
+  const std::vector<Vec3> supine = skin.at(Posture::Supine, most);
+  const LungMotion preset(Side::Left, mesh, MotionPreset::Quiet, most);
+  for (const double share : {1.0, 0.5}) {
+    LungMotionOptions options = by(MotionModel::Preset, Posture::Prone);
+    options.postureShare = share;
+    const LungMotion moved(Side::Left, mesh, options, most);
+    const VolumeLayer layer(mesh);
+    double apart = 0.0;
+    double size = 0.0;
+    for (std::size_t n = 0; n < mesh.points.size(); ++n) {
+      const Vec3 expected = preset.ofWall()[n] + share * (prone[n] - supine[n]) +
+                            (moved.layerMm() - preset.layerMm()) * layer.normals()[n];
+      apart += (moved.ofWall()[n] - expected).squaredNorm();
+      size += (share * (prone[n] - supine[n])).squaredNorm();
+    }
+    EXPECT_LT(std::sqrt(apart / size), 0.02);
+    EXPECT_GT(std::sqrt(size / static_cast<double>(mesh.points.size())), 0.5);
+  }
+}
 
 TEST(LungMotion, NamesTheVolumesThatDoNotFold) {
   const TriangleMesh mesh = egg();

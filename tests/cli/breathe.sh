@@ -28,6 +28,36 @@ succeeds "a frame is a healthy surface" info breath_0003.vtp
 succeeds "a frame of the airways" info breath_tree_0003.vtp
 prints 'branches'
 
+succeeds "a breath with its curve" breathe lobes -o copd.pvd --frames 2 --scenario copd --curve curve.png --json
+keeps breathe
+expect "the curve's picture is no PNG" grep -q PNG curve.png
+expect "the curve's table has not 502 lines" test "$(wc -l <curve.csv)" -eq 502
+succeeds "a measured breath" breathe lobes -o fit.pvd --frames 2 --fit curve.csv --curve fitted.png --json
+keeps breathe
+expect "the fit misses its own curve" grep -q '"rms_percent": 0' "$logs/out"
+expect "the breath is not named as measured" grep -q '"scenario": "Measured breath"' "$logs/out"
+expect "the fitted volume is another" awk -F, '
+  FNR == 2 { least[FILENAME] = most[FILENAME] = $4 }
+  FNR > 1 { if ($4 < least[FILENAME]) least[FILENAME] = $4; if ($4 > most[FILENAME]) most[FILENAME] = $4 }
+  END { d = (most["curve.csv"] - least["curve.csv"]) / (most["fitted.csv"] - least["fitted.csv"]); exit d > 0.98 && d < 1.02 ? 0 : 1 }' curve.csv fitted.csv
+head -n 20 curve.csv >short.csv
+cut -d, -f1,4 curve.csv >volumes.csv
+sed 's/^0.04,/0.03,/' curve.csv >back.csv
+sed '7s/,.*,.*,.*/,x,0,0/' curve.csv >word.csv
+sed '100,180d' curve.csv >gap.csv
+sed '7s/.*/0.05,nan,0,0/' curve.csv >nan.csv
+awk -F, -v OFS=, 'NR > 1 { $2 = -$2 } 1' curve.csv >oesophagus.csv
+refuses "a breath of 19 rows" 4 'short.csv. has 19 rows' breathe lobes -o none.pvd --fit short.csv
+refuses "times that go back" 4 'back.csv., line 7: the time' breathe lobes -o none.pvd --fit back.csv
+refuses "a pressure that is a word" 4 'word.csv., line 7, column pressure' breathe lobes -o none.pvd --fit word.csv
+refuses "a pressure that is none" 4 'nan.csv., line 7, column pressure' breathe lobes -o none.pvd --fit nan.csv
+refuses "a breath with a gap" 4 'gap.csv., line 100: .*missing' breathe lobes -o none.pvd --fit gap.csv
+refuses "pressures of the oesophagus" 4 'line [0-9]+: .*negative' breathe lobes -o none.pvd --fit oesophagus.csv
+refuses "a breath without pressures" 4 'no column .pressure_cmh2o' breathe lobes -o none.pvd --fit volumes.csv
+refuses "a breath that is not there" 3 'gone.csv' breathe lobes -o none.pvd --fit gone.csv
+refuses "a measured breath of another volume" 2 'leave --tidal' breathe lobes -o none.pvd --fit curve.csv --tidal 700
+refuses "a curve that is no picture" 5 'png' breathe lobes -o none.pvd --curve curve.svg
+refuses "a curve in the place of the frames' table" 2 'name the picture otherwise' breathe lobes -o none.pvd --curve none.png
 refuses "a file that is there" 6 'exists' breathe lobes -o breath.pvd
 refuses "another format" 5 'end in .pvd' breathe lobes -o breath.vtp
 refuses "no frames" 2 'frames must lie in .1' breathe lobes -o none.pvd --frames 0

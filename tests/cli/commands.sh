@@ -77,6 +77,10 @@ succeeds "aggregate in the outline, text" outline --particles 3000
 prints '^3,000 particles of 3,000 walkers'
 succeeds "reproduce Zhang's free clusters" reproduce zhang-2003 --table free
 prints 'N against radius of gyration'
+succeeds "reproduce Santhanam 2003" reproduce santhanam-2003 --json
+keeps reproduce
+succeeds "its steps of volume" reproduce santhanam-2003 --table volume
+prints '^1\.5 ml +volume missed'
 succeeds "a quiet growth" grow chest --method centroid --points 3000 -o quiet.csv -q
 expect "a quiet growth says something" test ! -s "$logs/out" -a ! -s "$logs/err"
 succeeds "a talkative growth" grow chest --method centroid --points 3000 -o loud.csv -v

@@ -85,10 +85,13 @@ TEST(Reproduction, TextNamesARowOnceAndNumbersItsNotes) {
 }
 
 TEST(Reproduce, NamesPapersAndTables) {
-  EXPECT_THAT(reproduciblePapers(), ElementsAre("huang-2004", "kitaoka-1999", "zhang-2003"));
+  EXPECT_THAT(reproduciblePapers(),
+              ElementsAre("huang-2004", "kitaoka-1999", "santhanam-2003", "zhang-2003"));
   EXPECT_THAT(reproducibleTables("huang-2004"), ElementsAre("1", "right-lung"));
   EXPECT_THAT(reproducibleTables("kitaoka-1999"),
               ElementsAre("1", "2", "3", "4", "5", "thorax", "claims"));
+  EXPECT_THAT(reproducibleTables("santhanam-2003"),
+              ElementsAre("assignment", "sharing", "strain", "volume", "directions", "missing"));
   EXPECT_THAT(reproducibleTables("zhang-2003"),
               ElementsAre("outline", "shares", "variations", "free", "lung"));
 }
@@ -110,6 +113,21 @@ TEST(Reproduce, KeepsZhangsFiguresWithinTheirLimits) {
       }
     }
   }
+}
+
+TEST(Reproduce, KeepsSanthanams2003FiguresWithinTheirLimits) {
+  const Reproduction result = reproduce("santhanam-2003", {.figures = true});
+  EXPECT_TRUE(result.ok()) << textOf(result);
+  EXPECT_EQ(result.tables.size(), 6U);
+  EXPECT_THAT(result.citation, HasSubstr("Pacific Graphics"));
+  ASSERT_EQ(result.figures.size(), 2U);
+  EXPECT_EQ(result.figures[1].model.surfaces->size(), 2U);
+  const auto json = nlohmann::json::parse(toJson(result).dump());
+  const test::JsonSchema schema(
+      nlohmann::json::parse(readFile(std::string(PNEUMA_SCHEMAS) + "/reproduce.schema.json")));
+  EXPECT_THAT(schema.faults(json), IsEmpty());
+  EXPECT_FALSE(json["tables"][1]["rows"][0].contains("published"));
+  EXPECT_THAT(textOf(result), HasSubstr("never"));
 }
 
 const ReproducedRow& row(const ReproducedTable& table, const std::string& name,

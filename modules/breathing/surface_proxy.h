@@ -1,0 +1,36 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "core/triangle_mesh.h"
+
+namespace pneuma {
+
+/// A coarse surface in place of a fine one, for what changes little from one of its points to the
+/// next. Its points are some of the fine ones, as evenly spread as those allow; two are joined
+/// where the parts of the fine surface that are nearest to them touch.
+struct SurfaceProxy {
+  TriangleMesh mesh;
+
+  /// Where a fine point lies on the coarse surface.
+  struct Place {
+    std::array<std::uint32_t, 3> corner{};
+    std::array<double, 3> share{};  ///< of each corner, at least 0; sum up to 1
+  };
+
+  std::vector<Place> places;  ///< of every fine point
+
+  /// Values of the coarse points at the fine ones.
+  std::vector<double> atFinePoints(const std::vector<double>& coarse) const;
+
+  /// Amounts at the fine points handed to the corners they lie between; their sum stays.
+  std::vector<double> gathered(const std::vector<double>& fine) const;
+};
+
+/// @param points about as many as wanted; at most 1.7 times as many come out
+/// @pre the surface has a triangle of some area
+SurfaceProxy surfaceProxy(const TriangleMesh& surface, std::size_t points);
+
+}  // namespace pneuma
