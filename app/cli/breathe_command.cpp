@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "cli/arguments.h"
+#include "cli/breath_frames.h"
 #include "cli/breath_picture.h"
 #include "cli/command.h"
 #include "cli/files.h"
@@ -20,6 +21,8 @@ struct BreatheArguments {
   BreatheOptions options;
   std::filesystem::path fit;
   std::filesystem::path curve;
+  bool pictures = false;
+  PictureArguments look;
 };
 
 std::filesystem::path tableBeside(const std::filesystem::path& picture) {
@@ -88,6 +91,12 @@ ExitCode runBreathe(BreatheArguments arguments, const CommonOptions& common,
     paths.push_back(arguments.curve);
     paths.push_back(table);
   }
+  if (arguments.pictures) {
+    requireDisplay();
+    for (int n = 0; n < arguments.options.frames; ++n) {
+      paths.push_back(framePicture(common.output, n));
+    }
+  }
   for (const auto& path : paths) {
     requireOutput(path, common.existing());
     requireOtherThanInputs(path, arguments.inputs);
@@ -97,7 +106,13 @@ ExitCode runBreathe(BreatheArguments arguments, const CommonOptions& common,
   const Json report = breatheReport(model, lungs, arguments.options);
   OutputSet outputs;
   for (const auto& path : paths) outputs.add(path);
-  writeBreath(common.output, lungs, report, progress.part(0.7, 1.0, "writing"));
+  writeBreath(common.output, lungs, report, progress.part(0.7, 0.85, "writing"));
+  if (arguments.pictures) {
+    const auto write = [&](int frame, const Picture& picture) {
+      writeFile(framePicture(common.output, frame), pngText(picture), common.existing());
+    };
+    drawBreath(lungs, arguments.look, write, progress.part(0.85, 1.0, "drawing"));
+  }
   if (!arguments.curve.empty()) {
     writeFile(arguments.curve, pngText(breathPicture(lungs.cycle, measured)), common.existing());
     writeFile(tableBeside(arguments.curve), breathCurveCsv(lungs.cycle), common.existing());
@@ -130,6 +145,13 @@ Run declareBreathe(CLI::App& app, CommonOptions& common) {
                  "Draw pressure and volume of the breath (.png) and write them as a table (.csv) "
                  "beside it.")
       ->type_name("FILE");
+  CLI::Option* pictures =
+      app.add_flag("--pictures", arguments->pictures,
+                   "Draw every frame too, beside it and from the same place (.png).");
+  for (CLI::Option* option :
+       addPictureArguments(app, arguments->look, "Width and height of the pictures in pixels.")) {
+    option->needs(pictures);
+  }
   addOutput(app, common, "FILE",
             "The collection for ParaView (.pvd). Beside it: a VTP for every frame, of the airways "
             "too, a .vtp.series, the table of volumes and pressures (.csv) and the report (.json).")

@@ -24,8 +24,8 @@ BreathingPanel::BreathingPanel(Document& document, const Actions& actions, QWidg
   column->setSpacing(8);
   column->addWidget(heading(tr("Breathe")));
   model_.bind(document_.breatheOptions());
-  column->addWidget(
-      new OptionsForm(model_, {"scenario", "tidal", "period", "motion", "affected", "frames"}));
+  column->addWidget(new OptionsForm(
+      model_, {"scenario", "posture", "tidal", "period", "motion", "model", "affected", "frames"}));
   column->addWidget(actionButton(actions.breathe, "breathe", "primary"));
   note_ = new QLabel;
   note_->setObjectName(QStringLiteral("breathingNote"));
