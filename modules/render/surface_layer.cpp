@@ -28,6 +28,7 @@ namespace pneuma {
 namespace {
 
 constexpr Rgb NeutralTissue = rgbOfHex(0x93a3b8);
+constexpr double ValuedGain = 2.5;
 constexpr double LightGroundGain = 0.34 / 0.26;  // light backgrounds swallow thin veils
 
 // Opacity rises towards the rim, where one looks along the wall: clear silhouettes, and the
@@ -221,7 +222,10 @@ void SurfaceLayer::setOptions(const SceneOptions& options, bool neutral) {
     for (vtkActor* actor : {actors_[i].Get(), coarse_[i].Get()}) {
       if (actor == nullptr) continue;
       actor->GetProperty()->SetColor(colour.r, colour.g, colour.b);
-      actor->GetProperty()->SetOpacity(veilOpacity(options));
+      // Colours that mean a number must be readable through the veil.
+      const bool valued = breathing_ && !breathing_->quantity.empty();
+      actor->GetProperty()->SetOpacity(
+          std::min(1.0, (valued ? ValuedGain : 1.0) * veilOpacity(options)));
     }
   }
 }
