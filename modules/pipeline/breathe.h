@@ -35,6 +35,8 @@ struct BreatheOptions {
   int frames = 20;
   MotionChoice motion = MotionChoice::Scenario;
   AffectedLung affected = AffectedLung::Left;
+  Posture posture = Posture::Supine;
+  MotionModel model = MotionModel::Preset;
 
   static constexpr auto fields() {
     using O = BreatheOptions;
@@ -48,6 +50,11 @@ struct BreatheOptions {
         Field{"motion", &O::motion, "", Range{},
               "How the lungs move: as people do in quiet or in deep breathing."},
         Field{"affected", &O::affected, "", Range{}, "The lung that has the pneumothorax."},
+        Field{"posture", &O::posture, "", Range{},
+              "How the person lies, sits or hangs; only supine is measured."},
+        Field{"model", &O::model, "", Range{},
+              "What moves the lungs: constants of people, the spring network of Santhanam 2008 as "
+              "published, or its force law on an elastic surface."},
     };
   }
 
@@ -93,7 +100,8 @@ struct BreathingLungs {
 /// says.
 /// @param model with surfaces of lobes or whole lungs; its tree breathes with them
 /// @throws InvalidInput if there is no lung, it is open or no lung by its size, the tree lies
-/// elsewhere, or the breath would fold the lung; Cancelled
+/// elsewhere, or the breath would fold the lung; InvalidOption if a model is given constants that
+/// it has no use for; Cancelled
 BreathingLungs breathe(const LungModel& model, const BreatheOptions& options,
                        const Progress& progress = {});
 
