@@ -48,20 +48,10 @@ ElasticSurface::ElasticSurface(const TriangleMesh& surface, std::span<const doub
   if (!(std::accumulate(areas_.begin(), areas_.end(), 0.0) > 0.0)) {
     throw InvalidInput("the surface of a lung has no area; examine it with 'pneuma info'");
   }
-  std::vector<double> stiffness = relative(given, areas_.size());
-  if (areas_.size() <= options.mostPoints) {
-    matrix_ = screenedLaplacian(surface, areas_, stiffness, options.lengthMm);
-    return;
-  }
-  proxy_ = surfaceProxy(surface, std::min(ProxyPoints, options.mostPoints / 2));
-  // Areas and stiffnesses handed over as forces are: what is kept in sum on the coarse surface is
-  // kept on the fine one.
-  const std::vector<double> areas = proxy_->gathered(areas_);
-  stiffness = proxy_->gathered(product(areas_, stiffness));
-  for (std::size_t n = 0; n < areas.size(); ++n) {
-    stiffness[n] = areas[n] > 0.0 ? stiffness[n] / areas[n] : 1.0;
-  }
-  matrix_ = screenedLaplacian(proxy_->mesh, areas, stiffness, options.lengthMm);
+  matrix_ = screenedLaplacian(surface, areas_, relative(given, areas_.size()), options.lengthMm);
+  if (areas_.size() <= options.mostPoints) return;
+  proxy_ = surfaceProxy(surface, matrix_, std::min(ProxyPoints, options.mostPoints / 2));
+  matrix_ = proxy_->condensed(matrix_);
 }
 
 std::vector<double> ElasticSurface::response(std::span<const double> force,

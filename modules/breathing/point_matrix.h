@@ -9,8 +9,9 @@
 
 namespace pneuma {
 
-/// A symmetric matrix with a row for every point of a surface and entries where an edge joins two.
-/// Columns of a row rise; every edge stands in the rows of both its points.
+/// A symmetric matrix with a row for every point of a surface and entries where an edge joins two,
+/// or where points otherwise act upon each other. Columns of a row rise; every entry off the
+/// diagonal stands in the rows of both its points.
 struct PointMatrix {
   std::vector<std::size_t> first;     ///< of each row in the two below; one more at the end
   std::vector<std::uint32_t> column;  ///< the points at the other ends of its edges

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
-#include "breathing/point_matrix.h"
 #include "breathing/surface_points.h"
 #include "core/parallel.h"
 
@@ -89,8 +89,7 @@ class SpreadPoints {
 /// The parts made connected: what does not hang together with the chosen point of its part goes to
 /// a part that it touches.
 void connect(std::vector<std::uint32_t>& partOf, const std::vector<std::uint32_t>& chosen,
-             const TriangleMesh& surface) {
-  const PointMatrix edges = edgeMatrix(surface);
+             const PointMatrix& edges) {
   std::vector<char> reached(partOf.size(), 0);
   std::vector<std::uint32_t> row = chosen;
   for (const std::uint32_t n : chosen) reached[n] = 1;
@@ -125,6 +124,33 @@ std::vector<std::array<std::uint32_t, 3>> meetings(const TriangleMesh& surface,
   triangles.erase(again.begin(), again.end());
   return triangles;
 }
+
+/// Which of many things name each of some points as one of their three corners.
+class Groups {
+ public:
+  template <class Things, class Corners>
+  Groups(std::size_t points, const Things& things, const Corners& corners) : first_(points + 1, 0) {
+    for (const auto& thing : things) {
+      for (const std::uint32_t corner : corners(thing)) ++first_[corner + 1];
+    }
+    for (std::size_t n = 0; n < points; ++n) first_[n + 1] += first_[n];
+    members_.resize(first_.back());
+    std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
+    std::uint32_t index = 0;
+    for (const auto& thing : things) {
+      for (const std::uint32_t corner : corners(thing)) members_[next[corner]++] = index;
+      ++index;
+    }
+  }
+
+  std::span<const std::uint32_t> of(std::size_t point) const {
+    return {members_.data() + first_[point], first_[point + 1] - first_[point]};
+  }
+
+ private:
+  std::vector<std::size_t> first_;
+  std::vector<std::uint32_t> members_;
+};
 
 /// A point of a triangle near `p`: that of its plane, brought within it.
 SurfaceProxy::Place placeWithin(const TriangleMesh& mesh, const std::array<std::uint32_t, 3>& of,
@@ -170,34 +196,89 @@ std::vector<double> SurfaceProxy::gathered(const std::vector<double>& fine) cons
   return coarse;
 }
 
-SurfaceProxy surfaceProxy(const TriangleMesh& surface, std::size_t points) {
+PointMatrix SurfaceProxy::condensed(const PointMatrix& fine) const {
+  struct Entry {
+    std::uint32_t column;
+    double value;
+  };
+
+  const Groups near(mesh.points.size(), places, [](const Place& place) { return place.corner; });
+  std::vector<std::vector<Entry>> rows(mesh.points.size());
+  parallelFor((rows.size() + Block - 1) / Block, [&](std::size_t block) {
+    std::vector<double> sum(rows.size(), 0.0);  // of the row at hand
+    std::vector<char> named(rows.size(), 0);
+    std::vector<std::uint32_t> columns;
+    const auto add = [&](const Place& place, double value) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::uint32_t column = place.corner[k];
+        if (named[column] == 0) columns.push_back(column);
+        named[column] = 1;
+        sum[column] += value * place.share[k];
+      }
+    };
+    for (std::size_t row = block * Block; row < std::min(rows.size(), (block + 1) * Block); ++row) {
+      std::uint32_t last = None;
+      for (const std::uint32_t n : near.of(row)) {
+        if (n == last) continue;  // a place of one corner names it three times
+        last = n;
+        double share = 0.0;
+        for (std::size_t k = 0; k < 3; ++k) {
+          if (places[n].corner[k] == row) share += places[n].share[k];
+        }
+        if (share == 0.0) continue;
+        add(places[n], share * fine.diagonal[n]);
+        for (std::size_t at = fine.first[n]; at < fine.first[n + 1]; ++at) {
+          add(places[fine.column[at]], share * fine.value[at]);
+        }
+      }
+      std::ranges::sort(columns);
+      for (const std::uint32_t column : columns) {
+        rows[row].push_back({column, sum[column]});
+        sum[column] = 0.0;
+        named[column] = 0;
+      }
+      columns.clear();
+    }
+  });
+  PointMatrix coarse;
+  coarse.first.push_back(0);
+  for (std::size_t row = 0; row < rows.size(); ++row) {
+    double diagonal = 0.0;
+    for (const Entry& entry : rows[row]) {
+      if (entry.column == row) {
+        diagonal = entry.value;
+      } else {
+        coarse.column.push_back(entry.column);
+        coarse.value.push_back(entry.value);
+      }
+    }
+    coarse.diagonal.push_back(diagonal > 0.0 ? diagonal : 1.0);
+    coarse.first.push_back(coarse.column.size());
+  }
+  return coarse;
+}
+
+SurfaceProxy surfaceProxy(const TriangleMesh& surface, const PointMatrix& edges,
+                          std::size_t points) {
   const double distance = std::sqrt(Packing * areaMm2(surface) / static_cast<double>(points));
   const SpreadPoints spread(surface, distance);
   std::vector<std::uint32_t> partOf(surface.points.size());
   inBlocks(partOf.size(),
            [&](std::size_t n) { partOf[n] = spread.nearest(static_cast<std::uint32_t>(n)); });
-  connect(partOf, spread.chosen, surface);
+  connect(partOf, spread.chosen, edges);
   SurfaceProxy proxy;
   for (const std::uint32_t n : spread.chosen) proxy.mesh.points.push_back(surface.points[n]);
   proxy.mesh.triangles = meetings(surface, partOf);
-  std::vector<std::size_t> first(proxy.mesh.points.size() + 1, 0);
-  for (const auto& triangle : proxy.mesh.triangles) {
-    for (const std::uint32_t corner : triangle) ++first[corner + 1];
-  }
-  for (std::size_t n = 0; n + 1 < first.size(); ++n) first[n + 1] += first[n];
-  std::vector<std::size_t> around(first.back());
-  std::vector<std::size_t> next(first.begin(), first.end() - 1);
-  for (std::size_t t = 0; t < proxy.mesh.triangles.size(); ++t) {
-    for (const std::uint32_t corner : proxy.mesh.triangles[t]) around[next[corner]++] = t;
-  }
+  const Groups around(proxy.mesh.points.size(), proxy.mesh.triangles,
+                      [](const auto& triangle) { return triangle; });
   proxy.places.resize(surface.points.size());
   inBlocks(proxy.places.size(), [&](std::size_t n) {
     const std::uint32_t part = partOf[n];
     SurfaceProxy::Place place{{part, part, part}, {1.0, 0.0, 0.0}};
     double least = squaredDistance(proxy.mesh, place, surface.points[n]);
-    for (std::size_t at = first[part]; at < first[part + 1]; ++at) {
+    for (const std::uint32_t triangle : around.of(part)) {
       const SurfaceProxy::Place there =
-          placeWithin(proxy.mesh, proxy.mesh.triangles[around[at]], surface.points[n]);
+          placeWithin(proxy.mesh, proxy.mesh.triangles[triangle], surface.points[n]);
       const double squared = squaredDistance(proxy.mesh, there, surface.points[n]);
       if (squared >= least) continue;
       least = squared;

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/triangle_mesh.h"
+#include "breathing/point_matrix.h"
 
 namespace pneuma {
 
@@ -27,10 +27,16 @@ struct SurfaceProxy {
 
   /// Amounts at the fine points handed to the corners they lie between; their sum stays.
   std::vector<double> gathered(const std::vector<double>& fine) const;
+
+  /// The coarse points' equation of the fine points' one: solved for gathered() right sides it
+  /// gives the solution nearest to the fine one, in energy, of all that the coarse points can tell.
+  PointMatrix condensed(const PointMatrix& fine) const;
 };
 
+/// @param edges any matrix of the surface's edges
 /// @param points about as many as wanted; at most 1.7 times as many come out
 /// @pre the surface has a triangle of some area
-SurfaceProxy surfaceProxy(const TriangleMesh& surface, std::size_t points);
+SurfaceProxy surfaceProxy(const TriangleMesh& surface, const PointMatrix& edges,
+                          std::size_t points);
 
 }  // namespace pneuma

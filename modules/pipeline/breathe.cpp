@@ -13,6 +13,14 @@ constexpr double Mm3PerMl = 1000.0;
 constexpr double MlPerLitre = 1000.0;
 constexpr double SafeShare = 1.5;  // of the largest s in use, at which nothing may turn inside out
 
+/// @throws InvalidOption if options speak against each other
+void requireOneMotion(const BreatheOptions& options) {
+  if (options.model == MotionModel::Preset || options.motion == MotionChoice::Scenario) return;
+  throw InvalidOption(
+      "--motion chooses the constants of --model preset; the other models have none. Leave one of "
+      "the two out");
+}
+
 MotionPreset presetOf(const BreatheOptions& options) {
   if (options.motion == MotionChoice::Quiet) return MotionPreset::Quiet;
   if (options.motion == MotionChoice::Deep) return MotionPreset::Deep;
@@ -88,6 +96,7 @@ std::vector<Vec3> probesIn(const LungMotion& motion) {
 BreathingLungs breathe(const LungModel& given, const BreatheOptions& options,
                        const Progress& progress) {
   requireValid(options);
+  requireOneMotion(options);
   BreathingLungs lungs;
   lungs.cycle = cycleOf(options, lungs.drive);
   progress.report(0.02);
@@ -103,9 +112,9 @@ BreathingLungs breathe(const LungModel& given, const BreatheOptions& options,
   const auto volumeOf = [&](Side side, double litres) {
     return restMm3.at(side) + shares.at(side) * litres * MlPerLitre * Mm3PerMl;
   };
-  const MotionPreset preset = presetOf(options);
+  const LungMotionOptions by{presetOf(options), options.model, options.posture};
   for (const auto& [side, wall] : walls) {
-    lungs.motion.emplace(side, LungMotion(side, wall, preset, volumeOf(side, mostLitres)));
+    lungs.motion.emplace(side, LungMotion(side, wall, by, volumeOf(side, mostLitres)));
     progress.report(0.4);
   }
   lungs.surfaces = movingSurfaces(model, lungs.motion, progress.part(0.4, 0.8, "moving lobes"));

@@ -41,6 +41,8 @@ struct BreatheOptions {
   /// A measured breath, which is breathed instead of the scenario's; null: none. Volume and period
   /// are its own then.
   std::shared_ptr<const BreathFit> fit = nullptr;
+  Posture posture = Posture::Supine;
+  MotionModel model = MotionModel::Preset;
 
   static constexpr auto fields() {
     using O = BreatheOptions;
@@ -54,6 +56,11 @@ struct BreatheOptions {
         Field{"motion", &O::motion, "", Range{},
               "How the lungs move: as people do in quiet or in deep breathing."},
         Field{"affected", &O::affected, "", Range{}, "The lung that has the pneumothorax."},
+        Field{"posture", &O::posture, "", Range{},
+              "How the person lies, sits or hangs; only supine is measured."},
+        Field{"model", &O::model, "", Range{},
+              "What moves the lungs: constants of people, the spring network of Santhanam 2008 as "
+              "published, or its force law on an elastic surface."},
     };
   }
 
@@ -99,7 +106,7 @@ struct BreathingLungs {
 /// @param model with surfaces of lobes or whole lungs; its tree breathes with them
 /// @throws InvalidInput if there is no lung, it is open or no lung by its size, the tree lies
 /// elsewhere, or the breath would fold the lung; InvalidOption if a measured breath shall have
-/// another volume or period; Cancelled
+/// another volume or period, or a model is given constants that it has no use for; Cancelled
 BreathingLungs breathe(const LungModel& model, const BreatheOptions& options,
                        const Progress& progress = {});
 

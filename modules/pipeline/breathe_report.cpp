@@ -35,17 +35,40 @@ double volumeErrorMl(const BreathingLungs& lungs, Side side) {
   return most;
 }
 
+/// What the displacements rest upon, in whole sentences.
+std::string basisOf(const BreatheOptions& options) {
+  const std::string values =
+      " Pressures, flows and diseases are plausible values, reasoned and not measured.";
+  if (options.model != MotionModel::Preset) {
+    const std::string response =
+        options.model == MotionModel::Published
+            ? "the spring network of Santhanam 2008"
+            : "an elastic surface in place of the springs of Santhanam 2008";
+    return "Displacements by " + response +
+           ", its force law and its directions, whose constants are not in print: reasoned, not "
+           "measured. Landmarks of people in a deep breath end further from their places than "
+           "without any motion." +
+           values;
+  }
+  if (options.posture != Posture::Supine) {
+    return "Displacements by constants fitted to landmarks of people (supine), and the difference "
+           "that an elastic surface makes between supine and " +
+           std::string(choices(Posture{})[static_cast<std::size_t>(options.posture)]) +
+           ": reasoned, not measured." + values;
+  }
+  return "Displacements by constants fitted to landmarks of people (supine); typical error 3 to 4 "
+         "mm "
+         "in quiet breathing, 7 to 10 mm in a deep breath." +
+         values;
+}
+
 }  // namespace
 
 Json breatheReport(const LungModel& model, const BreathingLungs& lungs,
                    const BreatheOptions& options) {
   Json report = reportEnvelope("pneuma/breathe/1", model.inputs, toJson(options), 0);
   report["scenario"] = scenarioOf(options.scenario).title;
-  report["basis"] =
-      "Displacements by constants fitted to landmarks of people (supine); typical error 3 to 4 mm "
-      "in "
-      "quiet breathing, 7 to 10 mm in a deep breath. Pressures, flows and diseases are plausible "
-      "values, reasoned and not measured.";
+  report["basis"] = basisOf(options);
   report["breath"] = {{"period_s", lungs.drive.period},
                       {"drive_cmH2O", lungs.drive.peak},
                       {"tidal_ml", 1000.0 * lungs.cycle.tidal},

@@ -142,7 +142,7 @@ TEST(ElasticSurface, IsNearlyTheSameOnACoarseProxy) {
 
 TEST(SurfaceProxy, IsAClosedSurfaceOfSpreadPoints) {
   const TriangleMesh lung = testing::irregular(testing::lungShaped(5));
-  const SurfaceProxy proxy = surfaceProxy(lung, 800);
+  const SurfaceProxy proxy = surfaceProxy(lung, edgeMatrix(lung), 800);
   EXPECT_NEAR(static_cast<double>(proxy.mesh.points.size()), 800.0, 250.0);
   // Euler's formula of a ball.
   EXPECT_NEAR(static_cast<double>(proxy.mesh.triangles.size()),
@@ -161,7 +161,7 @@ TEST(SurfaceProxy, IsAClosedSurfaceOfSpreadPoints) {
 TEST(SurfaceProxy, KeepsTwoSheetsApartThatNearlyTouch) {
   TriangleMesh thin = testing::sphere(60.0, Vec3::Zero(), 5);
   for (Vec3& p : thin.points) p.z() *= 0.02;
-  const SurfaceProxy proxy = surfaceProxy(thin, 800);
+  const SurfaceProxy proxy = surfaceProxy(thin, edgeMatrix(thin), 800);
   std::size_t through = 0;
   for (const auto& [i, j, k] : proxy.mesh.triangles) {
     const auto& points = proxy.mesh.points;

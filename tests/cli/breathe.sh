@@ -58,6 +58,37 @@ refuses "a breath that is not there" 3 'gone.csv' breathe lobes -o none.pvd --fi
 refuses "a measured breath of another volume" 2 'leave --tidal' breathe lobes -o none.pvd --fit curve.csv --tidal 700
 refuses "a curve that is no picture" 5 'png' breathe lobes -o none.pvd --curve curve.svg
 refuses "a curve in the place of the frames' table" 2 'name the picture otherwise' breathe lobes -o none.pvd --curve none.png
+# An egg of a right lung's size, in rings of points from pole to pole.
+awk 'BEGIN {
+  rings = 16; around = 24; pi = atan2(0, -1)
+  print "v -70 10 160"
+  for (r = 1; r < rings; r++) for (k = 0; k < around; k++)
+    printf "v %f %f %f\n", -70 + 60 * sin(pi * r / rings) * cos(2 * pi * k / around),
+      10 + 95 * sin(pi * r / rings) * sin(2 * pi * k / around), 30 + 130 * cos(pi * r / rings)
+  print "v -70 10 -100"
+  for (k = 0; k < around; k++) {
+    n = (k + 1) % around
+    print "f", 1, 2 + k, 2 + n
+    for (r = 0; r < rings - 2; r++) {
+      a = 2 + r * around
+      print "f", a + k, a + around + k, a + around + n
+      print "f", a + k, a + around + n, a + n
+    }
+    print "f", 2 + (rings - 2) * around + k, 2 + (rings - 1) * around, 2 + (rings - 2) * around + n
+  }
+}' > right.obj
+succeeds "on the back" breathe right.obj -o supine.pvd --frames 2
+prints 'landmarks of people .supine.; typical error'
+succeeds "prone" breathe right.obj -o prone.pvd --frames 2 --posture prone --json
+keeps breathe
+prints 'between supine and prone: reasoned, not measured'
+expect "prone is as supine" test "$(cksum < prone_0001.vtp)" != "$(cksum < supine_0001.vtp)"
+for model in published continuous; do
+  succeeds "the $model model" breathe right.obj -o "$model.pvd" --frames 2 --model "$model" --posture upright
+  prints 'of Santhanam 2008.*reasoned, not measured'
+done
+refuses "constants for a model without any" 2 'Leave one of the two out' breathe right.obj -o none.pvd --model continuous --motion deep
+refuses "a posture that is none" 2 'posture.*supine' breathe right.obj -o none.pvd --posture standing
 refuses "a file that is there" 6 'exists' breathe lobes -o breath.pvd
 refuses "another format" 5 'end in .pvd' breathe lobes -o breath.vtp
 refuses "no frames" 2 'frames must lie in .1' breathe lobes -o none.pvd --frames 0
