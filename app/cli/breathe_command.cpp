@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <iostream>
 #include <memory>
+#include <optional>
 
 #include "cli/arguments.h"
 #include "cli/breath_frames.h"
@@ -21,6 +22,8 @@ struct BreatheArguments {
   BreatheOptions options;
   std::filesystem::path fit;
   std::filesystem::path curve;
+  std::vector<std::string> stiffness;
+  std::vector<std::string> emphysema;
   bool pictures = false;
   PictureArguments look;
 };
@@ -62,6 +65,17 @@ ExitCode runBreathe(BreatheArguments arguments, const CommonOptions& common,
                       "' should end in .pvd");
   }
   requireOutput(common.output, common.existing());
+  for (const std::string& region : arguments.stiffness) {
+    arguments.options.regions.push_back(stiffnessRegion(region));
+  }
+  for (const std::string& name : arguments.emphysema) {
+    const std::optional<Lobe> lobe = lobeOfShortName(name);
+    if (!lobe) {
+      throw InvalidOption("--emphysema knows RUL, RML, RLL, LUL, LLL, but '" + name +
+                          "' was given");
+    }
+    arguments.options.regions.push_back({*lobe, Vec3::Zero(), 0.0, EmphysemaFactor});
+  }
   if (!arguments.curve.empty()) requirePngOutput(arguments.curve, common.existing());
   MeasuredBreath measured;
   if (!arguments.fit.empty()) {
@@ -145,6 +159,11 @@ Run declareBreathe(CLI::App& app, CommonOptions& common) {
                  "Draw pressure and volume of the breath (.png) and write them as a table (.csv) "
                  "beside it.")
       ->type_name("FILE");
+  addRepeatable(app, "--stiffness", arguments->stiffness, "REGION=FACTOR",
+                "A lobe, or a ball X,Y,Z,RADIUS (mm, LPS), and how many times as stiff as healthy "
+                "lung it is: LLL=0.5, 60,-20,-150,15=5. May be repeated.");
+  addRepeatable(app, "--emphysema", arguments->emphysema, "{RUL|RML|RLL|LUL|LLL}",
+                "A lobe with emphysema: half as stiff as healthy lung. May be repeated.");
   CLI::Option* pictures =
       app.add_flag("--pictures", arguments->pictures,
                    "Draw every frame too, beside it and from the same place (.png).");

@@ -42,16 +42,17 @@ LungMotion::LungMotion(Side side, const TriangleMesh& wall, const LungMotionOpti
   if (options.model == MotionModel::Preset) {
     preset_.emplace(options.preset, frame, mostMm3 / signedVolumeMm3(wall) - 1.0);
     layer_.emplace(wall);
-    if (options.posture != Posture::Supine) {
-      const SurfaceMotion skin(wall_, frame, MotionModel::Continuous);
+    if (options.posture != Posture::Supine || !options.stiffness.empty()) {
+      const SurfaceMotion skin(wall_, frame, MotionModel::Continuous, options.stiffness);
       std::vector<Vec3> difference = skin.at(options.posture, mostMm3);
-      const std::vector<Vec3> supine = skin.at(Posture::Supine, mostMm3);
+      const std::vector<Vec3> supine =
+          SurfaceMotion(wall_, frame, MotionModel::Continuous).at(Posture::Supine, mostMm3);
       for (std::size_t n = 0; n < supine.size(); ++n) difference[n] -= supine[n];
       byForces_.emplace(intoTheLung(wall_, difference));
       forceShare_ = options.postureShare;
     }
   } else {
-    const SurfaceMotion moved(wall_, frame, options.model);
+    const SurfaceMotion moved(wall_, frame, options.model, options.stiffness);
     byForces_.emplace(intoTheLung(wall_, moved.at(options.posture, mostMm3)));
   }
   parallelFor(ofWall_.size(), [&](std::size_t n) { ofWall_[n] = fieldAt(wall_.points[n]); });

@@ -18,6 +18,8 @@ struct LungMotionOptions {
   MotionModel model = MotionModel::Preset;
   Posture posture = Posture::Supine;  ///< the presets are those of people lying on their back
   double postureShare = 1.0;          ///< of the difference that the preset takes up
+  /// Of the wall's points, by that of healthy lung, above 0; empty: healthy.
+  std::vector<double> stiffness{};
 };
 
 /// One field of displacements for a whole lung, from the end of expiration on: everything in it,
@@ -25,8 +27,9 @@ struct LungMotionOptions {
 /// largest volume that the field was made for. As all take the same field, lobes that share a point
 /// keep it shared and no gap opens. The direction of a point stays the same through a breath; how
 /// far it goes is s, and s comes from the enclosed volume exactly.
-/// With the model Preset u is the preset's; in another posture than supine it is
-///   u_preset + share (u_elastic(posture) - u_elastic(supine)),
+/// With the model Preset u is the preset's; in another posture than supine, or with parts that are
+/// stiffer or softer than healthy lung, it is
+///   u_preset + share (u_elastic(posture, stiffness) - u_elastic(supine, healthy)),
 /// the difference found at the wall (SurfaceMotion) and carried on into the lung, so that what was
 /// measured stays as it is where it was measured. What lacks in volume is in a layer at the wall.
 /// With the other models u is the wall's alone, carried on into the lung and brought to the volume

@@ -21,11 +21,12 @@ constexpr std::size_t Candidates = 50'000;  // more points of a wall tell no mor
 struct SurfaceMotion::Operator {
   std::variant<SpringNetwork, ElasticSurface> of;
 
-  Operator(const TriangleMesh& wall, MotionModel model)
+  Operator(const TriangleMesh& wall, MotionModel model, std::span<const double> stiffness)
       // A mesh's edges are no property of the lung: they are kept from showing.
       : of(model == MotionModel::Published
-               ? std::variant<SpringNetwork, ElasticSurface>(SpringNetwork(wall, {}, {true, true}))
-               : std::variant<SpringNetwork, ElasticSurface>(ElasticSurface(wall))) {}
+               ? std::variant<SpringNetwork, ElasticSurface>(
+                     SpringNetwork(wall, stiffness, {true, true}))
+               : std::variant<SpringNetwork, ElasticSurface>(ElasticSurface(wall, stiffness))) {}
 
   std::vector<double> response(const std::vector<double>& force) const {
     if (const auto* network = std::get_if<SpringNetwork>(&of)) return network->forces(force);
@@ -33,8 +34,9 @@ struct SurfaceMotion::Operator {
   }
 };
 
-SurfaceMotion::SurfaceMotion(const TriangleMesh& wall, const LungFrame& frame, MotionModel model)
-    : wall_(wall), frame_(frame), operator_(std::make_unique<Operator>(wall, model)) {}
+SurfaceMotion::SurfaceMotion(const TriangleMesh& wall, const LungFrame& frame, MotionModel model,
+                             std::span<const double> stiffness)
+    : wall_(wall), frame_(frame), operator_(std::make_unique<Operator>(wall, model, stiffness)) {}
 
 SurfaceMotion::~SurfaceMotion() = default;
 

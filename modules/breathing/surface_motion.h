@@ -2,6 +2,7 @@
 
 #include <array>
 #include <memory>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -28,7 +29,9 @@ class SurfaceMotion {
  public:
   /// @param wall closed, LPS, mm; must outlive this
   /// @param model Published or Continuous
-  SurfaceMotion(const TriangleMesh& wall, const LungFrame& frame, MotionModel model);
+  /// @param stiffness of the wall's points by that of healthy lung, above 0; empty: healthy
+  SurfaceMotion(const TriangleMesh& wall, const LungFrame& frame, MotionModel model,
+                std::span<const double> stiffness = {});
   ~SurfaceMotion();
   SurfaceMotion(const SurfaceMotion&) = delete;
   SurfaceMotion& operator=(const SurfaceMotion&) = delete;

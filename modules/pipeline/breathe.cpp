@@ -44,10 +44,12 @@ BreathCycle measuredCycle(const BreatheOptions& options, BreathDrive& drive) {
 }
 
 /// The curve of the scenario, brought to the volume and period that were asked for.
-BreathCycle cycleOf(const BreatheOptions& options, BreathDrive& drive) {
+/// @param compliance of both lungs by that of healthy ones
+BreathCycle cycleOf(const BreatheOptions& options, double compliance, BreathDrive& drive) {
   if (options.fit) return measuredCycle(options, drive);
   const BreathScenario& scenario = scenarioOf(options.scenario);
   BreathMechanics mechanics = scenario.mechanics;
+  mechanics.compliance *= compliance;
   drive = scenario.drive;
   if (options.periodSeconds > 0.0) {
     const double longer = options.periodSeconds / drive.period;
@@ -65,12 +67,14 @@ BreathCycle cycleOf(const BreatheOptions& options, BreathDrive& drive) {
 
 /// Of each lung in what both take in: by its volume and what it keeps of its compliance.
 std::map<Side, double> sharesOf(const std::map<Side, double>& restMm3,
+                                const std::map<Side, double>& compliance,
                                 const BreatheOptions& options) {
   const BreathScenario& scenario = scenarioOf(options.scenario);
   const Side affected = options.affected == AffectedLung::Right ? Side::Right : Side::Left;
   std::map<Side, double> shares = restMm3;
   double sum = 0.0;
   for (auto& [side, share] : shares) {
+    share *= compliance.at(side);
     if (side == affected) share *= scenario.affectedCompliance;
     sum += share;
   }
@@ -98,7 +102,6 @@ BreathingLungs breathe(const LungModel& given, const BreatheOptions& options,
   requireValid(options);
   requireOneMotion(options);
   BreathingLungs lungs;
-  lungs.cycle = cycleOf(options, lungs.drive);
   progress.report(0.02);
   const Side affected = options.affected == AffectedLung::Right ? Side::Right : Side::Left;
   const LungModel model =
@@ -107,13 +110,23 @@ BreathingLungs breathe(const LungModel& given, const BreatheOptions& options,
       wallsOf(model, lungs.warnings, progress.part(0.02, 0.3, "joining lobes"));
   std::map<Side, double> restMm3;
   for (const auto& [side, wall] : walls) restMm3[side] = signedVolumeMm3(wall);
-  const std::map<Side, double> shares = sharesOf(restMm3, options);
+  std::map<Side, double> compliance;
+  double bothMm3 = 0.0;
+  double bothCompliance = 0.0;
+  for (const auto& [side, mm3] : restMm3) {
+    compliance[side] = complianceOf(side, mm3, model, options.regions);
+    bothMm3 += mm3;
+    bothCompliance += mm3 * compliance[side];
+  }
+  lungs.cycle = cycleOf(options, bothCompliance / bothMm3, lungs.drive);
+  const std::map<Side, double> shares = sharesOf(restMm3, compliance, options);
   const double mostLitres = lungs.cycle.trapped + lungs.cycle.tidal;
   const auto volumeOf = [&](Side side, double litres) {
     return restMm3.at(side) + shares.at(side) * litres * MlPerLitre * Mm3PerMl;
   };
-  const LungMotionOptions by{presetOf(options), options.model, options.posture};
+  LungMotionOptions by{presetOf(options), options.model, options.posture};
   for (const auto& [side, wall] : walls) {
+    by.stiffness = stiffnessAt(wall.points, side, model, options.regions);
     lungs.motion.emplace(side, LungMotion(side, wall, by, volumeOf(side, mostLitres)));
     progress.report(0.4);
   }

@@ -16,6 +16,7 @@
 #include "core/progress.h"
 #include "io/json.h"
 #include "pipeline/lung_model.h"
+#include "pipeline/stiffness_region.h"
 
 namespace pneuma {
 
@@ -43,6 +44,7 @@ struct BreatheOptions {
   std::shared_ptr<const BreathFit> fit = nullptr;
   Posture posture = Posture::Supine;
   MotionModel model = MotionModel::Preset;
+  std::vector<StiffnessRegion> regions{};  ///< stiffer or softer than healthy lung
 
   static constexpr auto fields() {
     using O = BreatheOptions;

@@ -69,6 +69,11 @@ Json breatheReport(const LungModel& model, const BreathingLungs& lungs,
   Json report = reportEnvelope("pneuma/breathe/1", model.inputs, toJson(options), 0);
   report["scenario"] = scenarioOf(options.scenario).title;
   report["basis"] = basisOf(options);
+  if (!options.regions.empty()) {
+    report["regions"] = toJson(options.regions);
+    report["basis"] = report["basis"].get<std::string>() +
+                      " So are stiff and soft regions, and how they change compliance.";
+  }
   report["breath"] = {{"period_s", lungs.drive.period},
                       {"drive_cmH2O", lungs.drive.peak},
                       {"tidal_ml", 1000.0 * lungs.cycle.tidal},

@@ -203,6 +203,24 @@ TEST(LungMotion, NamesTheVolumesThatDoNotFold) {
   }
 }
 
+TEST(LungMotion, AStiffPartMovesLessAndTheVolumeStays) {
+  const TriangleMesh mesh = egg();
+  const double most = 1.2 * signedVolumeMm3(mesh);
+  LungMotionOptions options;
+  const LungMotion healthy(Side::Right, mesh, options, most);
+  const Vec3 base(-70.0, 10.0, -100.0);
+  options.stiffness.assign(mesh.points.size(), 1.0);
+  EXPECT_LT((LungMotion(Side::Right, mesh, options, most).at(base) - healthy.at(base)).norm(),
+            1e-6);
+  for (std::size_t n = 0; n < mesh.points.size(); ++n) {
+    if ((mesh.points[n] - base).norm() < 40.0) options.stiffness[n] = 5.0;
+  }
+  const LungMotion sick(Side::Right, mesh, options, most);
+  EXPECT_LT(sick.at(base).norm(), healthy.at(base).norm() - 1.0);
+  EXPECT_NEAR(sick.volume().at(1.0), most, 1e-3);
+  EXPECT_EQ(sick.at(base), sick.withGradientAt(base).value);
+}
+
 TEST(LungMotion, RefusesWhatIsNoLung) {
   const TriangleMesh metres = egg(1e-3);
   EXPECT_THROW(LungMotion(Side::Left, metres, MotionPreset::Quiet, 3.5e-3), InvalidInput);

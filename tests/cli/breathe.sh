@@ -89,6 +89,16 @@ for model in published continuous; do
 done
 refuses "constants for a model without any" 2 'Leave one of the two out' breathe right.obj -o none.pvd --model continuous --motion deep
 refuses "a posture that is none" 2 'posture.*supine' breathe right.obj -o none.pvd --posture standing
+succeeds "a lobe with emphysema" breathe lobes -o soft.pvd --frames 2 --emphysema lll --json
+keeps breathe
+prints '"lobe": "LLL"'
+expect "emphysema changes nothing" test "$(cksum < soft_0001.vtp)" != "$(cksum < copd_0001.vtp)"
+refuses "a region without a factor" 2 'says no stiffness' breathe lobes -o none.pvd --stiffness LLL
+refuses "a region that is none" 2 'neither a lobe .* nor a ball' breathe lobes -o none.pvd --stiffness 1,2,3=5
+refuses "a region too stiff" 2 '0.01 to 100' breathe lobes -o none.pvd --stiffness LLL=1000
+refuses "a ball beside the lungs" 2 'is in no lung' breathe lobes -o none.pvd --stiffness 0,0,900,10=5
+refuses "emphysema of no lobe" 2 'knows RUL.*spleen' breathe lobes -o none.pvd --emphysema spleen
+refuses "a lobe of a whole lung" 2 'no left lower lobe' breathe right.obj -o none.pvd --emphysema LLL
 refuses "a file that is there" 6 'exists' breathe lobes -o breath.pvd
 refuses "another format" 5 'end in .pvd' breathe lobes -o breath.vtp
 refuses "no frames" 2 'frames must lie in .1' breathe lobes -o none.pvd --frames 0
