@@ -1,5 +1,6 @@
 #include "breathing/elastic_surface.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -162,6 +163,10 @@ TEST(SurfaceProxy, KeepsTwoSheetsApartThatNearlyTouch) {
   TriangleMesh thin = testing::sphere(60.0, Vec3::Zero(), 5);
   for (Vec3& p : thin.points) p.z() *= 0.02;
   const SurfaceProxy proxy = surfaceProxy(thin, edgeMatrix(thin), 800);
+  const auto above =
+      std::ranges::count_if(proxy.mesh.points, [](const Vec3& p) { return p.z() > 0.0; });
+  EXPECT_GT(above, 240);  // each sheet has points of its own
+  EXPECT_GT(static_cast<std::ptrdiff_t>(proxy.mesh.points.size()) - above, 240);
   std::size_t through = 0;
   for (const auto& [i, j, k] : proxy.mesh.triangles) {
     const auto& points = proxy.mesh.points;

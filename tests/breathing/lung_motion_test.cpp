@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include <Eigen/LU>
 #include <gtest/gtest.h>
 
 #include "core/error.h"
@@ -161,6 +162,35 @@ TEST(LungMotion, IsThePresetItselfInSupine) {
   for (std::size_t n = 0; n < mesh.points.size(); n += 97) {
     const Vec3 p = 0.9 * mesh.points[n];
     EXPECT_EQ(moved.at(p), preset.at(p) + moved.layerMm() * layer.at(p));
+  }
+}
+
+/// The share of a straight line in the scales at volumes up to `mostMm3` more.
+double straightness(const VolumePolynomial& volume, double mostMm3) {
+  constexpr int Steps = 50;
+  Eigen::MatrixX2d line(Steps + 1, 2);
+  Eigen::VectorXd scale(Steps + 1);
+  for (int n = 0; n <= Steps; ++n) {
+    line.row(n) << 1.0, static_cast<double>(n) / Steps;
+    scale[n] = scaleForVolume(volume, volume.a[0] + mostMm3 * n / Steps).value();
+  }
+  const Eigen::VectorXd fitted =
+      line * (line.transpose() * line).inverse() * (line.transpose() * scale);
+  return 1.0 - (scale - fitted).squaredNorm() / (scale.array() - scale.mean()).square().sum();
+}
+
+TEST(LungMotion, DisplacesPointsNearlyInProportionToVolume) {
+  // As the paper has it from landmarks.
+  for (const MotionModel model :
+       {MotionModel::Preset, MotionModel::Published, MotionModel::Continuous}) {
+    // One with more points than are carried on into the lung.
+    const TriangleMesh mesh = egg(1.0, model == MotionModel::Published ? 4 : 3);
+    const double most = signedVolumeMm3(mesh) + 5e5;
+    const LungMotion moved(Side::Right, mesh, by(model, Posture::Supine), most);
+    EXPECT_NEAR(moved.scaleFor(most), 1.0, 1e-9);
+    EXPECT_GE(straightness(moved.volume(), 5e5), 0.999);
+    EXPECT_GE(straightness(moved.volume(), 3e6), 0.99);
+    EXPECT_LT(straightness(moved.volume(), 3e6), 0.9999);
   }
 }
 

@@ -1,5 +1,6 @@
 #include "breathing/spring_network.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <random>
@@ -153,6 +154,8 @@ TEST_P(Networks, PitchUntilTheyKeepWhatTheEquationSays) {
     for (const double tolerance : {0.5, 0.1, 1e-3, 1e-6}) {
       const PitchedForces pitched = pitchForces(network, force, {order, tolerance});
       EXPECT_NEAR(pitched.sum() / sum(force), 1.0, 1e-12);
+      EXPECT_LE(*std::ranges::max_element(pitched.pitcher),
+                tolerance * sum(force) / static_cast<double>(force.size()));
     }
     const PitchedForces pitched = pitchForces(network, force, {order, 1e-6});
     EXPECT_LE(apart({pitched.catcher.data(), expected.size()}, expected), 1e-5);
