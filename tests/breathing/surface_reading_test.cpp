@@ -49,6 +49,18 @@ TEST(SurfaceReading, IsBlindToDirectionsWhichLandmarksReject) {
   EXPECT_GT(sum / 40.0, 4.0);
 }
 
+TEST(SurfaceReading, StopsOnlyAtSheetsThatFaceAsTheStartDoes) {
+  // Within the wall a second sheet that faces inwards, 1 to 3 mm deep.
+  const Vec3 centre(-75.0, 10.0, 30.0);
+  const TriangleMesh wall = madeLung(Side::Right, 4);
+  TriangleMesh inner = testing::insideOut(wall);
+  for (Vec3& p : inner.points) p = centre + 0.98 * (p - centre);
+  const TriangleMesh shell = testing::together(wall, inner);
+  const SurfaceReading reading(Side::Right, shell, movedLung(shell, reasonedForm(), 0.06),
+                               movedLung(shell, reasonedForm(), 0.12), 400);
+  EXPECT_LT(reading.meanResidualMm(reasonedForm()), 1.0);
+}
+
 TEST(SurfaceReading, HintsWithoutSpoilingLandmarks) {
   std::vector<SurfaceReading> surfaces;
   surfaces.push_back(readingOf(reasonedForm()));
