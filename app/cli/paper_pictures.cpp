@@ -18,7 +18,9 @@ constexpr std::array<PaperFigures, 3> Papers = {
     {{"huang-2004", huangFigures}, {"kitaoka-1999", kitaokaFigures}, {"zhang-2003", zhangFigures}}};
 
 std::span<const PaperFigure> figuresOf(std::string_view paper) {
-  return std::ranges::find(Papers, paper, &PaperFigures::paper)->figures();
+  const auto found = std::ranges::find(Papers, paper, &PaperFigures::paper);
+  if (found == Papers.end()) return {};
+  return found->figures();
 }
 
 }  // namespace

@@ -10,7 +10,9 @@
 namespace pneuma {
 namespace {
 
-std::array<const Paper*, 3> papers() { return {&huang2004(), &kitaoka1999(), &zhang2003()}; }
+std::array<const Paper*, 4> papers() {
+  return {&huang2004(), &kitaoka1999(), &zhang2003(), &lungMotion()};
+}
 
 const Paper& paperOfName(std::string_view name) {
   for (const Paper* paper : papers()) {
@@ -59,13 +61,20 @@ void requireReproducible(std::string_view paper, std::string_view table) {
   detail::throwUnknownChoice("the table of " + std::string(paper), table, tables);
 }
 
+bool needsData(std::string_view paper) { return paperOfName(paper).needsData; }
+
 Reproduction reproduce(std::string_view paper, const ReproduceOptions& options,
                        const Progress& progress) {
   requireReproducible(paper, options.table);
   const Paper& found = paperOfName(paper);
+  if (found.needsData && options.data.empty()) {
+    throw InputMissing("'" + std::string(paper) +
+                       "' is held to landmarks of people, which are not part of Pneuma; name the "
+                       "folder of real data with --data or PNEUMA_TEST_DATA");
+  }
   Reproduction result;
   result.paper = found.name;
-  result.citation = growthMethod(found.method).citation;
+  result.citation = found.method.empty() ? found.citation : growthMethod(found.method).citation;
   found.reproduce(options, result, progress);
   progress.report(1.0);
   return result;

@@ -16,16 +16,19 @@ struct PaperTable {
 /// A paper with its experiments; each has a source file of its own.
 struct Paper {
   std::string_view name;
-  std::string_view method;  ///< of growth; its citation is the paper
+  std::string_view method;  ///< of growth; its citation is the paper. Empty: `citation` is
   std::span<const PaperTable> tables;
 
   /// Fills tables and figures. The table that is asked for is one of `tables`, or all.
   void (*reproduce)(const ReproduceOptions& options, Reproduction& result,
                     const Progress& progress);
+  std::string_view citation = {};
+  bool needsData = false;
 };
 
 const Paper& huang2004();
 const Paper& kitaoka1999();
+const Paper& lungMotion();
 const Paper& zhang2003();
 
 /// True if the options ask for this table.
