@@ -20,7 +20,9 @@ constexpr std::array<PaperFigures, 4> Papers = {{{"huang-2004", huangFigures},
                                                  {"zhang-2003", zhangFigures}}};
 
 std::span<const PaperFigure> figuresOf(std::string_view paper) {
-  return std::ranges::find(Papers, paper, &PaperFigures::paper)->figures();
+  const auto found = std::ranges::find(Papers, paper, &PaperFigures::paper);
+  if (found == Papers.end()) return {};
+  return found->figures();
 }
 
 }  // namespace

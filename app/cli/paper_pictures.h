@@ -15,7 +15,8 @@ struct PaperPicture {
   Picture picture;
 };
 
-/// File names of the figures that can be drawn of a paper. @pre the paper can be reproduced
+/// File names of the figures that can be drawn of a paper; none for some.
+/// @pre the paper can be reproduced
 std::vector<std::string_view> paperPictureNames(std::string_view paper);
 
 /// The figures of a paper made again from our own trees.

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cstdlib>
 #include <iostream>
 #include <memory>
 
@@ -17,6 +18,7 @@ struct ReproduceArguments {
   std::string paper;
   std::string table;
   std::filesystem::path pictures;
+  std::filesystem::path data;
 };
 
 /// The tables of all papers, each once.
@@ -30,9 +32,23 @@ std::vector<std::string_view> tableNames() {
   return names;
 }
 
+/// Where people's data are, if the paper needs them.
+std::filesystem::path dataOf(const ReproduceArguments& arguments) {
+  if (!needsData(arguments.paper)) {
+    if (arguments.data.empty()) return {};
+    throw InvalidOption("'" + arguments.paper + "' needs no data; leave out --data");
+  }
+  if (!arguments.data.empty()) return arguments.data;
+  const char* named = std::getenv("PNEUMA_TEST_DATA");
+  return named != nullptr ? named : "";
+}
+
 void requireUsable(const ReproduceArguments& arguments, const CommonOptions& common) {
   requireReproducible(arguments.paper, arguments.table);
   if (arguments.pictures.empty()) return;
+  if (paperPictureNames(arguments.paper).empty()) {
+    throw InvalidOption("'" + arguments.paper + "' has no figures to draw; leave out --pictures");
+  }
   std::error_code error;
   if (std::filesystem::exists(arguments.pictures, error)) {
     for (const std::string_view name : paperPictureNames(arguments.paper)) {
@@ -48,9 +64,9 @@ ExitCode runReproduce(const ReproduceArguments& arguments, const CommonOptions& 
                       const Progress& progress) {
   requireUsable(arguments, common);
   const bool draw = !arguments.pictures.empty();
-  const Reproduction reproduction =
-      reproduce(arguments.paper, {.table = arguments.table, .figures = draw},
-                progress.part(0.0, draw ? 0.7 : 1.0, "repeating the experiment"));
+  const Reproduction reproduction = reproduce(
+      arguments.paper, {.table = arguments.table, .figures = draw, .data = dataOf(arguments)},
+      progress.part(0.0, draw ? 0.7 : 1.0, "repeating the experiment"));
   OutputSet outputs;
   if (draw) {
     outputs.addFolder(arguments.pictures);
@@ -77,6 +93,9 @@ Run declareReproduce(CLI::App& app, CommonOptions& common) {
       ->type_name(choiceType(tableNames()));
   app.add_option("--pictures", arguments->pictures,
                  "Draw the paper's figures into this folder; made if it is not there.")
+      ->type_name("FOLDER");
+  app.add_option("--data", arguments->data,
+                 "Folder of real data, for motion; else PNEUMA_TEST_DATA.")
       ->type_name("FOLDER");
   addForce(app, common);
   addJson(app, common);

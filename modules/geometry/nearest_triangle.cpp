@@ -1,7 +1,9 @@
 #include "geometry/nearest_triangle.h"
 
+#include <algorithm>
 #include <cmath>
-#include <vector>
+#include <iterator>
+#include <utility>
 
 #include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
@@ -53,6 +55,26 @@ NearestTriangle::Hit NearestTriangle::nearest(const Vec3& p) const {
   const auto [at, triangle] = tree_->aabb.closest_point_and_primitive(point(p));
   return {{at.x(), at.y(), at.z()},
           static_cast<std::size_t>(std::distance(tree_->triangles.cbegin(), triangle))};
+}
+
+std::vector<NearestTriangle::LineHit> NearestTriangle::along(const Vec3& p, const Vec3& direction,
+                                                             double fromMm, double toMm) const {
+  const Kernel::Segment_3 line(point(p + fromMm * direction), point(p + toMm * direction));
+  std::vector<Triangles::const_iterator> passed;
+  tree_->aabb.all_intersected_primitives(line, std::back_inserter(passed));
+  std::vector<LineHit> hits;
+  for (const auto& triangle : passed) {
+    const Kernel::Vector_3 normal =
+        CGAL::cross_product((*triangle)[1] - (*triangle)[0], (*triangle)[2] - (*triangle)[0]);
+    const double across = normal * Kernel::Vector_3(direction.x(), direction.y(), direction.z());
+    if (across == 0.0) continue;
+    hits.push_back({normal * ((*triangle)[0] - point(p)) / across,
+                    static_cast<std::size_t>(std::distance(tree_->triangles.cbegin(), triangle))});
+  }
+  // Ties in the order of triangles, whatever the tree's.
+  std::ranges::sort(
+      hits, {}, [](const LineHit& hit) { return std::pair(std::abs(hit.alongMm), hit.triangle); });
+  return hits;
 }
 
 }  // namespace pneuma

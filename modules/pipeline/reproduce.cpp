@@ -11,7 +11,7 @@ namespace pneuma {
 namespace {
 
 std::array<const Paper*, 4> papers() {
-  return {&huang2004(), &kitaoka1999(), &santhanam2003(), &zhang2003()};
+  return {&huang2004(), &kitaoka1999(), &santhanam2003(), &zhang2003(), &lungMotion()};
 }
 
 const Paper& paperOfName(std::string_view name) {
@@ -61,10 +61,17 @@ void requireReproducible(std::string_view paper, std::string_view table) {
   detail::throwUnknownChoice("the table of " + std::string(paper), table, tables);
 }
 
+bool needsData(std::string_view paper) { return paperOfName(paper).needsData; }
+
 Reproduction reproduce(std::string_view paper, const ReproduceOptions& options,
                        const Progress& progress) {
   requireReproducible(paper, options.table);
   const Paper& found = paperOfName(paper);
+  if (found.needsData && options.data.empty()) {
+    throw InputMissing("'" + std::string(paper) +
+                       "' is held to landmarks of people, which are not part of Pneuma; name the "
+                       "folder of real data with --data or PNEUMA_TEST_DATA");
+  }
   Reproduction result;
   result.paper = found.name;
   result.citation = found.citation;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <filesystem>
 #include <limits>
 #include <optional>
 #include <span>
@@ -48,6 +49,7 @@ struct ReproducedRow {
   double measured = 0.0;
   Limit limit;
   std::string note;  ///< why the limit is wide, or what the paper says in words; may be empty
+  std::optional<double> sd = std::nullopt;  ///< of what `measured` is the mean of
 
   /// measured / published - 1; 0 if the published figure is 0
   double relative() const { return published != 0.0 ? measured / published - 1.0 : 0.0; }
@@ -79,8 +81,9 @@ struct Reproduction {
 };
 
 struct ReproduceOptions {
-  std::string table;     ///< only this one; empty: all
-  bool figures = false;  ///< keep the organs that the paper's figures show
+  std::string table;                ///< only this one; empty: all
+  bool figures = false;             ///< keep the organs that the paper's figures show
+  std::filesystem::path data = {};  ///< folder of people's data, for those that need it
 };
 
 /// Names of the papers that can be reproduced.
@@ -92,9 +95,14 @@ std::vector<std::string_view> reproducibleTables(std::string_view paper);
 /// @throws InvalidOption for an unknown paper, or a table that it does not have; empty: all tables
 void requireReproducible(std::string_view paper, std::string_view table);
 
+/// True if the paper's experiments need people's data.
+/// @throws InvalidOption for an unknown paper
+bool needsData(std::string_view paper);
+
 /// Repeats the experiments of a paper. Whatever can be grown at the same time is; the result does
 /// not depend on the number of threads.
-/// @throws InvalidOption for an unknown paper, or a table that it does not have; Cancelled
+/// @throws InvalidOption for an unknown paper, or a table that it does not have; InputMissing,
+/// InvalidInput if data are needed and are not there or damaged; Cancelled
 Reproduction reproduce(std::string_view paper, const ReproduceOptions& options = {},
                        const Progress& progress = {});
 

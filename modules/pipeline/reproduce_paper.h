@@ -22,10 +22,12 @@ struct Paper {
   /// Fills tables and figures. The table that is asked for is one of `tables`, or all.
   void (*reproduce)(const ReproduceOptions& options, Reproduction& result,
                     const Progress& progress);
+  bool needsData = false;  ///< real data, which are not part of the project
 };
 
 const Paper& huang2004();
 const Paper& kitaoka1999();
+const Paper& lungMotion();
 const Paper& santhanam2003();
 const Paper& zhang2003();
 

@@ -45,6 +45,7 @@ Json rowJson(const ReproducedRow& row) {
     json["published"] = row.published;
     json["relative"] = row.relative();
   }
+  if (row.sd) json["sd"] = *row.sd;
   if (!row.note.empty()) json["note"] = row.note;
   return json;
 }
@@ -76,6 +77,10 @@ std::string limitText(const Limit& limit) {
   return "not judged";
 }
 
+std::string measuredText(const ReproducedRow& row) {
+  return figureText(row.measured) + (row.sd ? formatted(" +- %.3g", *row.sd) : "");
+}
+
 std::string offText(const ReproducedRow& row) {
   if (!row.isPublished()) return "-";
   if (row.limit.of == Limit::Of::Relative) return formatted("%+.1f %%", 100.0 * row.relative());
@@ -86,6 +91,7 @@ std::string offText(const ReproducedRow& row) {
 struct Widths {
   int row = 3;
   int quantity = 8;
+  int measured = 10;
 };
 
 Widths widthsOf(const ReproducedTable& table) {
@@ -93,6 +99,7 @@ Widths widthsOf(const ReproducedTable& table) {
   for (const ReproducedRow& row : table.rows) {
     widths.row = std::max(widths.row, static_cast<int>(row.row.size()));
     widths.quantity = std::max(widths.quantity, static_cast<int>(row.quantity.size()));
+    widths.measured = std::max(widths.measured, static_cast<int>(measuredText(row).size()));
   }
   return widths;
 }
@@ -100,8 +107,8 @@ Widths widthsOf(const ReproducedTable& table) {
 std::string tableText(const ReproducedTable& table) {
   const Widths widths = widthsOf(table);
   std::string text = "\n" + table.name + "\n";
-  text += formatted("%-*s  %-*s %10s %10s %9s  %-15s\n", widths.row, "row", widths.quantity,
-                    "quantity", "published", "measured", "off by", "within");
+  text += formatted("%-*s  %-*s %10s %*s %9s  %-15s\n", widths.row, "row", widths.quantity,
+                    "quantity", "published", widths.measured, "measured", "off by", "within");
   std::vector<std::string> notes;
   std::string before;
   for (const ReproducedRow& row : table.rows) {
@@ -113,9 +120,9 @@ std::string tableText(const ReproducedTable& table) {
       if (found == notes.end()) found = notes.insert(found, row.note);
       verdict += formatted(" [%d]", static_cast<int>(found - notes.begin()) + 1);
     }
-    text += formatted("%-*s  %-*s %10s %10s %9s  %-15s %s\n", widths.row,
+    text += formatted("%-*s  %-*s %10s %*s %9s  %-15s %s\n", widths.row,
                       same ? "" : row.row.c_str(), widths.quantity, row.quantity.c_str(),
-                      figureText(row.published).c_str(), figureText(row.measured).c_str(),
+                      figureText(row.published).c_str(), widths.measured, measuredText(row).c_str(),
                       offText(row).c_str(), limitText(row.limit).c_str(), verdict.c_str());
   }
   for (std::size_t i = 0; i < notes.size(); ++i) {

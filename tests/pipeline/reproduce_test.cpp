@@ -1,6 +1,7 @@
 #include "pipeline/reproduce.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -84,9 +85,33 @@ TEST(Reproduction, TextNamesARowOnceAndNumbersItsNotes) {
   EXPECT_THAT(text, HasSubstr("  [1] far away\n  [2] near\n"));
 }
 
+TEST(Reproduction, ShowsScatterAndWhatHasNoPublishedFigure) {
+  Reproduction result = fourRows();
+  result.tables[0].rows[0].sd = 2.5;
+  result.tables[0].rows[3].published = std::nan("");
+  const std::string text = textOf(result);
+  EXPECT_THAT(text,
+              HasSubstr("a    N              1000 1010 +- 2.5    +1.0 %  2 %             ok\n"));
+  EXPECT_THAT(text, HasSubstr("share             -      0.0003         -  not judged"));
+  const auto json = nlohmann::json::parse(toJson(result).dump());
+  const test::JsonSchema schema(
+      nlohmann::json::parse(readFile(std::string(PNEUMA_SCHEMAS) + "/reproduce.schema.json")));
+  EXPECT_THAT(schema.faults(json), IsEmpty());
+  EXPECT_EQ(json["tables"][0]["rows"][0]["sd"], 2.5);
+  EXPECT_FALSE(json["tables"][0]["rows"][3].contains("published"));
+}
+
+TEST(Reproduce, AsksForDataWhereItNeedsThem) {
+  EXPECT_TRUE(needsData("motion"));
+  EXPECT_FALSE(needsData("zhang-2003"));
+  EXPECT_THROW(needsData("nobody-1900"), InvalidOption);
+  EXPECT_THROW(reproduce("motion"), InputMissing);
+  EXPECT_THROW(reproduce("motion", {.table = "quiet", .data = "no such folder"}), InputMissing);
+}
+
 TEST(Reproduce, NamesPapersAndTables) {
   EXPECT_THAT(reproduciblePapers(),
-              ElementsAre("huang-2004", "kitaoka-1999", "santhanam-2003", "zhang-2003"));
+              ElementsAre("huang-2004", "kitaoka-1999", "santhanam-2003", "zhang-2003", "motion"));
   EXPECT_THAT(reproducibleTables("huang-2004"), ElementsAre("1", "right-lung"));
   EXPECT_THAT(reproducibleTables("kitaoka-1999"),
               ElementsAre("1", "2", "3", "4", "5", "thorax", "claims"));
@@ -94,6 +119,7 @@ TEST(Reproduce, NamesPapersAndTables) {
               ElementsAre("assignment", "sharing", "strain", "volume", "directions", "missing"));
   EXPECT_THAT(reproducibleTables("zhang-2003"),
               ElementsAre("outline", "shares", "variations", "free", "lung"));
+  EXPECT_THAT(reproducibleTables("motion"), ElementsAre("deep", "fit", "quiet"));
 }
 
 TEST(Reproduce, RefusesUnknownPapersAndTables) {
