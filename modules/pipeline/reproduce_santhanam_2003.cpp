@@ -295,13 +295,12 @@ void addStrainFigures(const std::map<Side, TriangleMesh>& walls, Reproduction& r
 
 void reproduceSanthanam2003(const ReproduceOptions& options, Reproduction& result,
                             const Progress& progress) {
-  const std::map<Side, TriangleMesh> walls =
-      sampleWalls(progress.part(0.0, 0.5, "making the sample's lungs"));
+  const std::map<Side, TriangleMesh> walls = sampleWalls();
   const StrainedLung lung(walls.at(Side::Right));
-  double done = 0.5;
+  double done = 0.1;
   for (const PaperTable& named : StrainTables) {
     progress.report(done);
-    done += 0.07;
+    done += 0.15;
     if (!wanted(options, named.id)) continue;
     ReproducedTable table{std::string(named.id), std::string(named.name), {}};
     if (table.id == "assignment") assignmentTable(table.rows);
