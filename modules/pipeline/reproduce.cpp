@@ -10,8 +10,8 @@
 namespace pneuma {
 namespace {
 
-std::array<const Paper*, 4> papers() {
-  return {&huang2004(), &kitaoka1999(), &santhanam2003(), &zhang2003()};
+std::array<const Paper*, 5> papers() {
+  return {&huang2004(), &kitaoka1999(), &santhanam2003(), &santhanam2008(), &zhang2003()};
 }
 
 const Paper& paperOfName(std::string_view name) {

@@ -27,6 +27,7 @@ struct Paper {
 const Paper& huang2004();
 const Paper& kitaoka1999();
 const Paper& santhanam2003();
+const Paper& santhanam2008();
 const Paper& zhang2003();
 
 /// True if the options ask for this table.
