@@ -64,7 +64,7 @@ Picture approaches(const Reproduction&, const Progress&) {
 
 /// Edges of a mesh as one line with gaps.
 ChartCurve edgesOf(const TriangleMesh& mesh, const std::vector<Vec3>& points, const Rgb& colour) {
-  ChartCurve curve{"", {}, {}, colour};
+  ChartCurve curve{"", {}, {}, colour, ChartCurve::As::ThinLine};
   for (const auto& triangle : mesh.triangles) {
     for (const std::uint32_t corner : {triangle[0], triangle[1], triangle[2], triangle[0]}) {
       curve.x.push_back(points[corner].x());
@@ -74,6 +74,12 @@ ChartCurve edgesOf(const TriangleMesh& mesh, const std::vector<Vec3>& points, co
     curve.y.push_back(std::nan(""));
   }
   return curve;
+}
+
+/// Nothing to see, so that two charts have the same axes.
+ChartCurve frameOf(double left, double right, double low, double high) {
+  const double none = std::nan("");
+  return {"", {left, right, none, none}, {none, none, low, high}, {}};
 }
 
 /// Fig. 8: the plane before and after, seen from the side and above.
@@ -91,8 +97,7 @@ Picture plane(const Reproduction&, const Progress&) {
     charts.push_back({shown > 0.0 ? "Bent" : "At rest",
                       "mm",
                       "mm",
-                      {edgesOf(bent.mesh, seen, AxisColours[0]),
-                       {"", {0.0, 60.0}, {-2.0, 36.0}, rgbOfHex(0xffffff), ChartCurve::As::Dots}}});
+                      {edgesOf(bent.mesh, seen, AxisColours[0]), frameOf(0.0, 60.0, -2.0, 36.0)}});
   }
   return chartRow(charts, MotionWidth, MotionHeight);
 }
@@ -115,14 +120,11 @@ Picture disc(const Reproduction&, const Progress&) {
       curve.x.push_back(seen.back().x());
       curve.y.push_back(seen.back().y());
     }
-    charts.push_back(
-        {shown > 0.0 ? "Blown up" : "At rest",
-         "mm",
-         "mm",
-         {edgesOf(blown.mesh, seen, rgbOfHex(0xc3c8d0)),
-          soft,
-          stiff,
-          {"", {-30.0, 30.0}, {-30.0, 30.0}, rgbOfHex(0xffffff), ChartCurve::As::Dots}}});
+    charts.push_back({shown > 0.0 ? "Blown up" : "At rest",
+                      "mm",
+                      "mm",
+                      {edgesOf(blown.mesh, seen, rgbOfHex(0xc3c8d0)), soft, stiff,
+                       frameOf(-30.0, 30.0, -30.0, 30.0)}});
   }
   return chartRow(charts, MotionHeight, MotionHeight);
 }

@@ -183,7 +183,7 @@ void volumeTable(StrainRows& rows, const StrainedLung& lung) {
                   Limit::difference(2.0), linear});
   rows.push_back({"500 ml", "volume missed, %", 0.0, stepErrorPercent(lung, 500.0),
                   Limit::difference(15.0), linear});
-  // "SAV is the surface area for a given volume": j by the area.
+  // "It is the surface area for a given volume": j by the area.
   VolumeSteps steps(lung.mesh, lung.shot, lung.directions);
   double delivered = 0.0;
   const std::vector<Vec3> areas = vertexAreaVectors(lung.mesh);
