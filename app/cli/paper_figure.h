@@ -28,6 +28,11 @@ std::span<const PaperFigure> kitaokaFigures();
 /// picture (Fig. 8).
 std::span<const PaperFigure> santhanam2003Figures();
 
+/// Santhanam 2008: fitted breaths (Fig. 2), the lungs' box while volume rises (Fig. 4), how fast
+/// pitching and damped masses come to rest (Fig. 7), the bent plane (Fig. 8), the blown disc
+/// (Fig. 9).
+std::span<const PaperFigure> santhanam2008Figures();
+
 /// Zhang 2003: the tree in the outline of a right lung (Fig. 1); the same with long steps, from two
 /// other centres and with absorbing walls on one sheet; a million particles in three lobes.
 std::span<const PaperFigure> zhangFigures();

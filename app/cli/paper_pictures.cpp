@@ -14,9 +14,10 @@ struct PaperFigures {
   std::span<const PaperFigure> (*figures)();
 };
 
-constexpr std::array<PaperFigures, 4> Papers = {{{"huang-2004", huangFigures},
+constexpr std::array<PaperFigures, 5> Papers = {{{"huang-2004", huangFigures},
                                                  {"kitaoka-1999", kitaokaFigures},
                                                  {"santhanam-2003", santhanam2003Figures},
+                                                 {"santhanam-2008", santhanam2008Figures},
                                                  {"zhang-2003", zhangFigures}}};
 
 std::span<const PaperFigure> figuresOf(std::string_view paper) {

@@ -14,10 +14,7 @@ constexpr std::array<std::uint32_t, 7> StrainColours = {0x23272e, 0x1f6fc8, 0xe0
 
 /// Fig. 5 as Table 3 and section 5.3 have it: a disease is another curve.
 Picture strainCurves(const Reproduction&, const Progress&) {
-  Chart chart{"Initial strain",
-              "distance from the diaphragm's centroid, share of the largest",
-              "strain",
-              {}};
+  Chart chart{"", "distance from the diaphragm's centroid, share of the largest", "strain", {}};
   for (std::size_t n = 0; n < choices(StrainPreset{}).size(); ++n) {
     const auto preset = static_cast<StrainPreset>(n);
     const StrainCurve curve = strainCurve(preset);

@@ -16,7 +16,7 @@ namespace {
 
 constexpr int Controls = 5;
 constexpr int Unknowns = Controls + 2;  // and ln C, P0
-constexpr double StepSeconds = 1e-3;
+constexpr double FitStepSeconds = 1e-3;
 constexpr double LeastSteps = 500.0;
 constexpr double MostSteps = 20000.0;
 constexpr std::size_t LeastRows = 30;
@@ -74,7 +74,7 @@ class Simulation {
   explicit Simulation(const MeasuredBreath& measured)
       : period_(measured.seconds.back() - measured.seconds.front()),
         steps_(static_cast<std::size_t>(
-            std::clamp(std::ceil(period_ / StepSeconds), LeastSteps, MostSteps))),
+            std::clamp(std::ceil(period_ / FitStepSeconds), LeastSteps, MostSteps))),
         dt_(period_ / static_cast<double>(steps_)) {
     for (std::size_t n = 0; n <= steps_; ++n) {
       const double share = static_cast<double>(n) / static_cast<double>(steps_);

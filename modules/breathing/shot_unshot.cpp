@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <queue>
+#include <numeric>
 #include <utility>
 
 #include <Eigen/IterativeLinearSolvers>
@@ -68,6 +68,53 @@ class Shares {
   std::vector<double> sums_;
 };
 
+/// Points by their values, the largest on top; equal ones in the order of the points.
+class LargestFirst {
+ public:
+  /// @param values outlive this; after each change of one, rose() or fell() must be called
+  explicit LargestFirst(const std::vector<double>& values)
+      : values_(values), heap_(values.size()), place_(values.size()) {
+    std::iota(heap_.begin(), heap_.end(), std::size_t{0});
+    std::ranges::sort(heap_, [this](std::size_t a, std::size_t b) { return before(a, b); });
+    for (std::size_t n = 0; n < heap_.size(); ++n) place_[heap_[n]] = n;
+  }
+
+  std::size_t top() const { return heap_.front(); }
+
+  void rose(std::size_t point) {
+    for (std::size_t at = place_[point]; at > 0 && before(point, heap_[(at - 1) / 2]);) {
+      exchange(at, (at - 1) / 2);
+      at = (at - 1) / 2;
+    }
+  }
+
+  void fell(std::size_t point) {
+    for (std::size_t at = place_[point];;) {
+      std::size_t child = 2 * at + 1;
+      if (child >= heap_.size()) return;
+      if (child + 1 < heap_.size() && before(heap_[child + 1], heap_[child])) ++child;
+      if (!before(heap_[child], point)) return;
+      exchange(at, child);
+      at = child;
+    }
+  }
+
+ private:
+  bool before(std::size_t a, std::size_t b) const {
+    return values_[a] != values_[b] ? values_[a] > values_[b] : a < b;
+  }
+
+  void exchange(std::size_t a, std::size_t b) {
+    std::swap(heap_[a], heap_[b]);
+    place_[heap_[a]] = a;
+    place_[heap_[b]] = b;
+  }
+
+  const std::vector<double>& values_;
+  std::vector<std::size_t> heap_;   // points
+  std::vector<std::size_t> place_;  // of each point in the heap
+};
+
 std::string neverUsedUp() {
   return "shared as printed, the force is never used up: every point receives as much as its "
          "neighbours pass on, and Shot grows without end; let a point belong to its own clique";
@@ -115,28 +162,20 @@ SharedForce sharedInTurns(const VertexNeighbours& neighbours, std::span<const do
   requireForce(unshot, shares.size());
   SharedForce result;
   result.shot.assign(shares.size(), 0.0);
+  if (unshot.empty()) return result;
   std::vector<double> waiting(unshot.begin(), unshot.end());
   const double goal = limits.tolerance * largest(unshot);
-  // Entries whose force has grown since are passed over; the point stands again further up. Equal
-  // forces go in the order of the points.
-  using Entry = std::pair<double, std::int64_t>;
-  std::priority_queue<Entry> queue;
-  const auto add = [&](std::size_t n) { queue.emplace(waiting[n], -static_cast<std::int64_t>(n)); };
-  for (std::size_t n = 0; n < waiting.size(); ++n) add(n);
+  LargestFirst order(waiting);
   std::size_t relaxations = 0;
-  while (!queue.empty() && relaxations < most(limits, shares.size())) {
-    const auto [force, place] = queue.top();
-    const auto i = static_cast<std::size_t>(-place);
-    if (force != waiting[i]) {
-      queue.pop();
-      continue;
-    }
+  while (relaxations < most(limits, shares.size())) {
+    const std::size_t i = order.top();
+    const double force = waiting[i];
     if (force <= goal) break;
-    queue.pop();
     waiting[i] = 0.0;
+    order.fell(i);
     for (const std::uint32_t j : neighbours.of(i)) {
       waiting[j] += shares.of(i, j) * force;
-      add(j);
+      order.rose(j);
     }
     result.shot[i] += force;
     ++relaxations;

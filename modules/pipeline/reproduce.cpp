@@ -10,8 +10,9 @@
 namespace pneuma {
 namespace {
 
-std::array<const Paper*, 4> papers() {
-  return {&huang2004(), &kitaoka1999(), &santhanam2003(), &zhang2003(), &lungMotion()};
+std::array<const Paper*, 6> papers() {
+  return {&huang2004(),     &kitaoka1999(), &santhanam2003(),
+          &santhanam2008(), &zhang2003(),   &lungMotion()};
 }
 
 const Paper& paperOfName(std::string_view name) {

@@ -41,12 +41,15 @@ struct Limit {
 /// Of a figure that the paper does not print: ours is held to what it must be.
 inline constexpr double NotPublished = std::numeric_limits<double>::quiet_NaN();
 
+/// Of a figure that cannot be measured again.
+inline constexpr double NotMeasured = std::numeric_limits<double>::quiet_NaN();
+
 /// One figure of a paper beside ours.
 struct ReproducedRow {
   std::string row;         ///< as in the paper's table, for example "0.41"
   std::string quantity;    ///< for example "terminals"
   double published = 0.0;  ///< or NotPublished, with a limit of Range or Nothing
-  double measured = 0.0;
+  double measured = 0.0;   ///< or NotMeasured, with the limit Nothing and a note
   Limit limit;
   std::string note;  ///< why the limit is wide, or what the paper says in words; may be empty
   std::optional<double> sd = std::nullopt;  ///< of what `measured` is the mean of

@@ -29,6 +29,7 @@ const Paper& huang2004();
 const Paper& kitaoka1999();
 const Paper& lungMotion();
 const Paper& santhanam2003();
+const Paper& santhanam2008();
 const Paper& zhang2003();
 
 /// True if the options ask for this table.

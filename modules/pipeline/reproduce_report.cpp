@@ -37,13 +37,13 @@ Json limitJson(const Limit& limit) {
 Json rowJson(const ReproducedRow& row) {
   Json json = {{"row", row.row},
                {"quantity", row.quantity},
-               {"measured", row.measured},
                {"limit", limitJson(row.limit)},
                {"limit_of", nameOf(row.limit.of)},
                {"ok", row.ok()}};
+  if (!std::isnan(row.measured)) json["measured"] = row.measured;
   if (row.isPublished()) {
     json["published"] = row.published;
-    json["relative"] = row.relative();
+    if (!std::isnan(row.measured)) json["relative"] = row.relative();
   }
   if (row.sd) json["sd"] = *row.sd;
   if (!row.note.empty()) json["note"] = row.note;
@@ -82,7 +82,7 @@ std::string measuredText(const ReproducedRow& row) {
 }
 
 std::string offText(const ReproducedRow& row) {
-  if (!row.isPublished()) return "-";
+  if (!row.isPublished() || std::isnan(row.measured)) return "-";
   if (row.limit.of == Limit::Of::Relative) return formatted("%+.1f %%", 100.0 * row.relative());
   return formatted("%+.3g", row.measured - row.published);
 }

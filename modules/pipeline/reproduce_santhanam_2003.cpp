@@ -183,7 +183,7 @@ void volumeTable(StrainRows& rows, const StrainedLung& lung) {
                   Limit::difference(2.0), linear});
   rows.push_back({"500 ml", "volume missed, %", 0.0, stepErrorPercent(lung, 500.0),
                   Limit::difference(15.0), linear});
-  // "SAV is the surface area for a given volume": j by the area.
+  // "It is the surface area for a given volume": j by the area.
   VolumeSteps steps(lung.mesh, lung.shot, lung.directions);
   double delivered = 0.0;
   const std::vector<Vec3> areas = vertexAreaVectors(lung.mesh);
@@ -295,13 +295,12 @@ void addStrainFigures(const std::map<Side, TriangleMesh>& walls, Reproduction& r
 
 void reproduceSanthanam2003(const ReproduceOptions& options, Reproduction& result,
                             const Progress& progress) {
-  const std::map<Side, TriangleMesh> walls =
-      sampleWalls(progress.part(0.0, 0.5, "making the sample's lungs"));
+  const std::map<Side, TriangleMesh> walls = sampleWalls();
   const StrainedLung lung(walls.at(Side::Right));
-  double done = 0.5;
+  double done = 0.1;
   for (const PaperTable& named : StrainTables) {
     progress.report(done);
-    done += 0.07;
+    done += 0.15;
     if (!wanted(options, named.id)) continue;
     ReproducedTable table{std::string(named.id), std::string(named.name), {}};
     if (table.id == "assignment") assignmentTable(table.rows);

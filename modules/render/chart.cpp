@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "render/drawing.h"
+#include "render/overlay.h"
 
 namespace pneuma {
 namespace {
@@ -123,7 +124,8 @@ void drawAxes(Picture& picture, const Chart& chart, const Axes& axes) {
 }
 
 void drawCurve(Picture& picture, const ChartCurve& curve, const Axes& axes) {
-  const double thickness = std::max(2.0, axes.font() / 6.0);
+  const bool thin = curve.as == ChartCurve::As::ThinLine;
+  const double thickness = thin ? 1.0 : std::max(2.0, axes.font() / 6.0);
   std::vector<std::array<double, 2>> points;
   const auto drawPart = [&] {
     drawPolyline(picture, points, thickness, curve.colour);
@@ -136,7 +138,7 @@ void drawCurve(Picture& picture, const ChartCurve& curve, const Axes& axes) {
     }
     const double x = axes.x(curve.x[n]);
     const double y = axes.y(curve.y[n]);
-    if (curve.as == ChartCurve::As::Line) {
+    if (curve.as != ChartCurve::As::Dots) {
       points.push_back({x, y});
     } else {
       drawRing(picture, x, y, 0.0, 2.0 * thickness, curve.colour);
@@ -145,22 +147,22 @@ void drawCurve(Picture& picture, const ChartCurve& curve, const Axes& axes) {
   drawPart();
 }
 
-/// Names of the curves in the upper right corner, above the axes.
+/// Names of the curves in the upper right corner, beside the title.
 void drawKey(Picture& picture, const Chart& chart, const Axes& axes) {
   const int font = axes.font();
   double x = axes.right();
-  const double y = axes.top() - 1.5 * font;
+  const double y = (chart.title.empty() ? 1.0 : 1.8) * font;
   for (auto curve = chart.curves.rbegin(); curve != chart.curves.rend(); ++curve) {
     if (curve->name.empty()) continue;
     drawText(picture, curve->name, {x, y, Align::High, Align::Middle}, font, Ink);
-    x -= 0.62 * font * static_cast<double>(curve->name.size()) + 0.5 * font;
-    if (curve->as == ChartCurve::As::Line) {
+    x -= Overlay::textWidth(curve->name, font) + 0.5 * font;
+    if (curve->as != ChartCurve::As::Dots) {
       const std::array<std::array<double, 2>, 2> ends = {{{x - 1.5 * font, y}, {x, y}}};
       drawPolyline(picture, ends, std::max(2.0, font / 6.0), curve->colour);
     } else {
       drawRing(picture, x - 0.5 * font, y, 0.0, 0.5 * font, curve->colour);
     }
-    x -= 2.5 * font;
+    x -= (curve->as != ChartCurve::As::Dots ? 2.5 : 1.8) * font;
   }
 }
 

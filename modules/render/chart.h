@@ -10,7 +10,7 @@ namespace pneuma {
 
 /// A row of points of a chart.
 struct ChartCurve {
-  enum class As { Line, Dots };
+  enum class As { Line, ThinLine, Dots };
 
   std::string name;  ///< in the key; empty: not there
   std::vector<double> x;

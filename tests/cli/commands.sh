@@ -79,6 +79,8 @@ succeeds "reproduce Zhang's free clusters" reproduce zhang-2003 --table free
 prints 'N against radius of gyration'
 succeeds "reproduce Santhanam 2003" reproduce santhanam-2003 --json
 keeps reproduce
+succeeds "reproduce Santhanam 2008" reproduce santhanam-2008 --json
+keeps reproduce
 succeeds "its steps of volume" reproduce santhanam-2003 --table volume
 prints '^1\.5 ml +volume missed'
 succeeds "a quiet growth" grow chest --method centroid --points 3000 -o quiet.csv -q

@@ -110,13 +110,16 @@ TEST(Reproduce, AsksForDataWhereItNeedsThem) {
 }
 
 TEST(Reproduce, NamesPapersAndTables) {
-  EXPECT_THAT(reproduciblePapers(),
-              ElementsAre("huang-2004", "kitaoka-1999", "santhanam-2003", "zhang-2003", "motion"));
+  EXPECT_THAT(reproduciblePapers(), ElementsAre("huang-2004", "kitaoka-1999", "santhanam-2003",
+                                                "santhanam-2008", "zhang-2003", "motion"));
   EXPECT_THAT(reproducibleTables("huang-2004"), ElementsAre("1", "right-lung"));
   EXPECT_THAT(reproducibleTables("kitaoka-1999"),
               ElementsAre("1", "2", "3", "4", "5", "thorax", "claims"));
   EXPECT_THAT(reproducibleTables("santhanam-2003"),
               ElementsAre("assignment", "sharing", "strain", "volume", "directions", "missing"));
+  EXPECT_THAT(
+      reproducibleTables("santhanam-2008"),
+      ElementsAre("pressure-volume", "linearity", "plane", "disc", "modulus", "steps", "missing"));
   EXPECT_THAT(reproducibleTables("zhang-2003"),
               ElementsAre("outline", "shares", "variations", "free", "lung"));
   EXPECT_THAT(reproducibleTables("motion"), ElementsAre("deep", "fit", "quiet"));
@@ -142,7 +145,7 @@ TEST(Reproduce, KeepsZhangsFiguresWithinTheirLimits) {
 }
 
 TEST(Reproduce, KeepsSanthanams2003FiguresWithinTheirLimits) {
-  const Reproduction result = reproduce("santhanam-2003", {.figures = true});
+  const Reproduction result = reproduce("santhanam-2003", {.table = "", .figures = true});
   EXPECT_TRUE(result.ok()) << textOf(result);
   EXPECT_EQ(result.tables.size(), 6U);
   EXPECT_THAT(result.citation, HasSubstr("Pacific Graphics"));
@@ -154,6 +157,12 @@ TEST(Reproduce, KeepsSanthanams2003FiguresWithinTheirLimits) {
   EXPECT_THAT(schema.faults(json), IsEmpty());
   EXPECT_FALSE(json["tables"][1]["rows"][0].contains("published"));
   EXPECT_THAT(textOf(result), HasSubstr("never"));
+}
+
+TEST(Reproduce, KeepsSanthanams2008FiguresWithinTheirLimits) {
+  const Reproduction result = reproduce("santhanam-2008");
+  EXPECT_TRUE(result.ok()) << textOf(result);
+  EXPECT_EQ(result.tables.size(), 7U);
 }
 
 const ReproducedRow& row(const ReproducedTable& table, const std::string& name,

@@ -23,6 +23,9 @@ LungLevels levelsAt(const SampleLung& shape, const Vec3& lps) {
 
 double levelIn(Lobe lobe, const LungLevels& at) {
   switch (lobe) {
+    case Lobe::RightLung:
+    case Lobe::LeftLung:
+      return at.pleura;
     case Lobe::RightUpper:
       return std::min({at.pleura, at.aboveOblique, at.aboveHorizontal});
     case Lobe::RightMiddle:

@@ -1,17 +1,17 @@
 #include "pipeline/detail/sample_walls.h"
 
-#include "pipeline/detail/breathing_parts.h"
-#include "pipeline/sample_chest.h"
+#include "pipeline/detail/lung_lattice.h"
 
 namespace pneuma {
 
-std::map<Side, TriangleMesh> sampleWalls(const Progress& progress) {
-  constexpr double CellMm = 5.0;
-  LungModel model;
-  model.surfaces = std::make_shared<const std::vector<LobeSurface>>(
-      sampleChest(CellMm, progress.part(0.0, 0.7, "making lungs")).lobes);
-  std::vector<std::string> warnings;
-  return wallsOf(model, warnings, progress.part(0.7, 1.0, "joining lobes"));
+std::map<Side, TriangleMesh> sampleWalls() {
+  constexpr double CellMm = 6.0;
+  std::map<Side, TriangleMesh> walls;
+  for (const auto& [side, lung] :
+       {std::pair(Side::Right, Lobe::RightLung), std::pair(Side::Left, Lobe::LeftLung)}) {
+    walls.emplace(side, LungLattice(sampleLung(side), CellMm).surface(lung));
+  }
+  return walls;
 }
 
 }  // namespace pneuma
