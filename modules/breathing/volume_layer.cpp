@@ -17,7 +17,7 @@ namespace {
 
 constexpr double DepthMm = 15.0;
 constexpr double SmoothMm = 10.0;
-constexpr double SolvedTo = 1e-8;
+constexpr double SolvedTo = 1e-5;  // of directions
 constexpr double NearWallMm = 1e-6;
 constexpr double LeastStretch = 0.1;
 constexpr double MostMm = 10.0;  // of a; its slope in depth is a / 15 mm
@@ -153,7 +153,9 @@ FieldAt VolumeLayer::withGradientAt(const Vec3& p) const {
   const bool focused = stretch.determinant() < LeastStretch;
   const Eigen::Matrix3d change =
       focused ? Eigen::Matrix3d(bend * along) : Eigen::Matrix3d(bend * stretch.inverse() * along);
-  return {share * normal, share * (change - normal * inwards.transpose() / DepthMm)};
+  // Just outside of a wall that was drawn anew the lung goes on as it does just inside.
+  const Vec3 deeper = below >= 0.0 ? inwards : Vec3(-inwards);
+  return {share * normal, share * (change - normal * deeper.transpose() / DepthMm)};
 }
 
 }  // namespace pneuma

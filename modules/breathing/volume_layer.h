@@ -39,6 +39,7 @@ class VolumeLayer {
 
   /// The same and how it changes from place to place, as though the wall were as smooth as its
   /// normals are: with S what they change by along the wall, S (I - d S)^-1 at the depth d.
+  /// Outside, where the layer fades as well, it is told to rise towards the wall as it does inside.
   FieldAt withGradientAt(const Vec3& p) const;
 
  private:

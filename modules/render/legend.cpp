@@ -68,7 +68,7 @@ std::vector<double> evenTicks(double low, double high) {
   }
   std::vector<double> ticks;
   for (double n = std::ceil(low / step - 1e-9); n * step <= high + 1e-9 * range; n += 1.0) {
-    ticks.push_back(n * step);
+    ticks.push_back(n == 0.0 ? 0.0 : n * step);  // never "-0"
   }
   return ticks;
 }

@@ -19,13 +19,13 @@ namespace {
 /// The sample's lobes with a tree grown in them.
 const LungModel& grownChest() {
   static const LungModel made = [] {
-    const SampleChest sample = sampleChest(4.0);
+    const SampleChest sample = sampleChest(6.0);
     LungModel model;
     model.surfaces = std::make_shared<const std::vector<LobeSurface>>(sample.lobes);
-    model = withLobes(withWholeLungs(model), {});  // which share their triangles
+    model = withLobes(withWholeLungs(model, {}, 5.0), {});  // which share their triangles
     model.central = std::make_shared<const AirwayTree>(sample.central);
     CentroidSplittingOptions options;
-    options.terminals = 1000;
+    options.terminals = 300;
     return grow(model, options);
   }();
   return made;
@@ -113,10 +113,13 @@ TEST(Breathe, VolumeChangeIsThatOfTheField) {
   const BreathingLungs lungs = breathing(Breathing::Quiet);
   const MovingSurface& surface = lungs.surfaces[0];
   const LungMotion& motion = lungs.motion.at(surface.side);
+  const Vec3 middle = bounds(*surface.surface.mesh).center();
   for (std::size_t n = 0; n < surface.displacement.size(); n += 211) {
     const auto& c = surface.volumeChange[n];
-    const std::array<Vec3, 1> point = {surface.surface.mesh->points[n]};
-    EXPECT_NEAR(1.0 + c[0] + c[1] + c[2], leastDeterminant(motion, point, 1.0), 0.05);
+    // Differences reach to both sides of a point: look a little below the wall.
+    const Vec3& p = surface.surface.mesh->points[n];
+    const std::array<Vec3, 1> below = {p + 2.0 * (middle - p).normalized()};
+    EXPECT_NEAR(1.0 + c[0] + c[1] + c[2], leastDeterminant(motion, below, 1.0), 0.1) << n;
   }
 }
 
@@ -146,7 +149,7 @@ TEST(Breathe, AirwaysFollowTheirLobeAndTheTracheaStays) {
     const SurfaceDomain& wall = *walls.at(branch.lobe);
     EXPECT_TRUE(wall.contains(branch.distal) || wall.distanceToWall(branch.distal) <= 1e-3) << n;
   }
-  EXPECT_GT(ends, 1000U);
+  EXPECT_GT(ends, 300U);
   EXPECT_GT(moving, 10.0);
 }
 

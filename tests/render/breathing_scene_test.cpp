@@ -116,10 +116,11 @@ Picture moved(const BreathScale& scale, bool interactive = false) {
   scene.setTree(bronchi());
   scene.look({});
   scene.setSurfaces(surfacesAt(scale));
+  const auto rest = bronchi();
+  const TreeMotion motion = motionOf(*rest);
   auto tree = std::make_shared<AirwayTree>();
-  const TreeMotion motion = motionOf(*bronchi());
-  for (std::size_t n = 0; n < bronchi()->size(); ++n) {
-    const Branch& branch = (*bronchi())[n];
+  for (std::size_t n = 0; n < rest->size(); ++n) {
+    const Branch& branch = (*rest)[n];
     tree->add(movedBranch(branch, motion, n, scale.of(side(branch.lobe))));
   }
   scene.setTree(tree);

@@ -17,8 +17,8 @@ struct LungLevels {
 
 LungLevels levelsAt(const SampleLung& shape, const Vec3& lps);
 
-/// Positive inside the lobe or whole lung, 0 on its wall. The two sides of a fissure are exact negatives, so that
-/// surfaces made of them meet in the same points.
+/// Positive inside the lobe or whole lung, 0 on its wall. The two sides of a fissure are exact
+/// negatives, so that surfaces made of them meet in the same points.
 double levelIn(Lobe lobe, const LungLevels& at);
 
 /// A lattice over a lung of the sample chest with the levels at its nodes.
