@@ -24,8 +24,8 @@ std::span<const PaperFigure> huangFigures();
 std::span<const PaperFigure> kitaokaFigures();
 
 /// Santhanam 2003: strain over distance for the healthy and the ill (Fig. 5, the mechanism of the
-/// paper), lungs at rest (Fig. 6) and breathed in by 1.5 l (Fig. 7) from the same place, both in one
-/// picture (Fig. 8).
+/// paper), lungs at rest (Fig. 6) and breathed in by 1.5 l (Fig. 7) from the same place, both in
+/// one picture (Fig. 8).
 std::span<const PaperFigure> santhanam2003Figures();
 
 /// Santhanam 2008: fitted breaths (Fig. 2), the lungs' box while volume rises (Fig. 4), how fast
