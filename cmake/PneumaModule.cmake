@@ -43,8 +43,8 @@ function(pneuma_unite target)
 endfunction()
 
 # pneuma_add_headers_alone(<name> HEADERS ... [PRECOMPILE ...])
-# Built by the target `headers_alone`: every public header in a source of its own, with nothing but what
-# the module passes on. Only Eigen and PRECOMPILE, which most of them include, are compiled once for all.
+# Built by the target `headers_alone`: every header in a source of its own, with nothing but what the
+# module passes on. Only Eigen and PRECOMPILE, which most of them include, are compiled once for all.
 add_custom_target(headers_alone)
 function(pneuma_add_headers_alone name)
   cmake_parse_arguments(arg "" "" "HEADERS;PRECOMPILE" ${ARGN})
@@ -91,14 +91,26 @@ function(pneuma_add_module name)
                                                              FILES ${arg_HEADERS})
   target_link_libraries(${target} ${scope} ${arg_PUBLIC})
   list(FILTER arg_PRECOMPILE INCLUDE REGEX "nlohmann")  # the one library that headers show
-  pneuma_add_headers_alone(${name} HEADERS ${arg_HEADERS} PRECOMPILE ${arg_PRECOMPILE})
+  # A source that is compiled by itself includes its own header first (clang-format sees to that), which
+  # compiles the header alone.
+  set(alone ${arg_HEADERS})
+  if(NOT (arg_UNITE AND PNEUMA_UNITY))
+    foreach(source IN LISTS arg_SOURCES)
+      string(REGEX REPLACE "[.]cpp$" ".h" header "${source}")
+      list(REMOVE_ITEM alone "${header}")
+    endforeach()
+  endif()
+  if(alone)
+    pneuma_add_headers_alone(${name} HEADERS ${alone} PRECOMPILE ${arg_PRECOMPILE})
+  endif()
 endfunction()
 
-# pneuma_add_test(<name> SOURCES ... LINK ... [LABELS ...] [RENDER])
+# pneuma_add_test(<name> SOURCES ... LINK ... [LABELS ...] [RENDER] [UNITE])
 # One GoogleTest executable; its cases become CTest tests "<name>/Suite.Case".
+# UNITE: see pneuma_unite; no two sources may call different helpers by one name.
 # RENDER: runs under Xvfb, and is registered only where xvfb-run exists.
 function(pneuma_add_test name)
-  cmake_parse_arguments(arg "RENDER" "" "SOURCES;LINK;LABELS" ${ARGN})
+  cmake_parse_arguments(arg "RENDER;UNITE" "" "SOURCES;LINK;LABELS" ${ARGN})
   if(arg_RENDER AND NOT PNEUMA_XVFB_RUN)
     message(STATUS "tests ${name}: not registered, xvfb-run is missing")
     return()
@@ -110,6 +122,9 @@ function(pneuma_add_test name)
                                           GTest::gmock GTest::gtest_main)
   if(arg_LINK MATCHES "pneuma")  # else Eigen is not known to it
     pneuma_precompile(${target} <gmock/gmock.h> <gtest/gtest.h>)
+  endif()
+  if(arg_UNITE)
+    pneuma_unite(${target})
   endif()
   if(arg_RENDER)
     # One process for all cases: starting an X server for each would cost more than the cases.

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # From nothing to pictures: installs what is missing, builds the command line, makes a synthetic
-# chest, grows airway trees of 30,000 terminals in its five lobes, measures and draws them, goes from
-# the chest's CT to a tree by one command, and grows the thorax of Kitaoka 1999.
+# chest, grows airway trees of 30,000 terminals in its five lobes, measures and draws them, lets them
+# breathe, goes from the chest's CT to a tree by one command, and grows the thorax of Kitaoka 1999.
 #   packaging/demo.sh [OUTDIR]        (default: demo-output)
 # Where ../shared/data/lobes_airways_chaste stands beside the project, the same is done in the lobes
 # and airways of a real person.
@@ -57,6 +57,17 @@ step "A synthetic chest"
 "$pneuma" sample "$out/sample" --force
 grow_and_draw "$out/synthetic" "$out/sample" "$out/sample/central.vtp"
 
+# breathe_and_draw FOLDER LOBES TREE: a deep breath for ParaView, drawn frame by frame.
+breathe_and_draw() {
+  mkdir -p "$1"
+  LIBGL_ALWAYS_SOFTWARE=1 xvfb-run -a -s "-screen 0 1600x1200x24" \
+    "$pneuma" breathe "$2" "$3" -o "$1/breath.pvd" --scenario vital-capacity --frames 8 \
+    --pictures --curve "$1/pressure-and-volume.png" --force
+}
+
+step "A breath"
+breathe_and_draw "$out/breath" "$out/sample" "$out/synthetic/kitaoka/tree.vtp"
+
 step "From a CT to a grown tree"
 "$pneuma" sample "$out/ct" --ct --spacing 1 --force
 "$pneuma" run --ct "$out/ct/dicom" -o "$out/case"
@@ -75,6 +86,7 @@ real=../shared/data/lobes_airways_chaste
 if [[ -d $real ]]; then
   step "A real lung"
   grow_and_draw "$out/real" "$real" "$real/TestSubject002MajorAirways.vtu"
+  breathe_and_draw "$out/real/breath" "$real" "$out/real/kitaoka/tree.vtp"
 fi
 
 real=../shared/data/ct_lung_dx_a0001_dicom/series
@@ -88,4 +100,4 @@ fi
 step "Where things are"
 find "$out" -type f -printf '%10s bytes  %p\n' | sort -k3
 echo
-echo "Open the .vtp files in ParaView; look at the .png files; read report.json and measures.txt."
+echo "Open the .vtp and .pvd files in ParaView; look at the .png files; read report.json and measures.txt."

@@ -42,9 +42,11 @@ if [[ -z ${CMAKE_CXX_COMPILER_LAUNCHER:-} ]] && command -v ccache >/dev/null; th
   export CMAKE_CXX_COMPILER_LAUNCHER=ccache
 fi
 # A first build is a whole one: sources are compiled eight at a time. A build that is there stays as it is.
-unity=()
-[[ -f build/release/CMakeCache.txt ]] || unity=(-DPNEUMA_UNITY=ON)
-cmake --preset release -DPNEUMA_TEST_DATA="$PNEUMA_TEST_DATA" "${unity[@]}"
+# Benchmarks are no tests: in CI they would cost a minute and show nothing.
+how=()
+[[ -f build/release/CMakeCache.txt ]] || how=(-DPNEUMA_UNITY=ON)
+[[ -z ${CI:-} ]] || how+=(-DPNEUMA_BUILD_BENCHMARKS=OFF)
+cmake --preset release -DPNEUMA_TEST_DATA="$PNEUMA_TEST_DATA" "${how[@]}"
 
 step "Build"
 cmake --build --preset release

@@ -48,4 +48,9 @@ TriangleMesh sheet(int side, double stepMm) {
   return mesh;
 }
 
+Vec3 anyDirection(std::mt19937& random) {
+  std::normal_distribution<double> any;
+  return Vec3(any(random), any(random), any(random)).normalized();
+}
+
 }  // namespace pneuma::testing

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <random>
+
 #include "core/triangle_mesh.h"
 
 /// Surfaces to breathe with, mm.
@@ -14,5 +16,8 @@ TriangleMesh irregular(const TriangleMesh& mesh);
 
 /// A square of `side` x `side` points, `stepMm` apart.
 TriangleMesh sheet(int side, double stepMm);
+
+/// Of length 1, any equally likely.
+Vec3 anyDirection(std::mt19937& random);
 
 }  // namespace pneuma::testing

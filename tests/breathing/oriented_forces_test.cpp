@@ -13,11 +13,6 @@
 namespace pneuma {
 namespace {
 
-Vec3 anyDirection(std::mt19937& random) {
-  std::normal_distribution<double> any;
-  return Vec3(any(random), any(random), any(random)).normalized();
-}
-
 TEST(OrientedForces, AreThoseOfASolutionForEveryPosture) {
   const TriangleMesh lung = testing::lungShaped(3);
   const LungFrame frame(Side::Right, bounds(lung));
@@ -30,7 +25,7 @@ TEST(OrientedForces, AreThoseOfASolutionForEveryPosture) {
        {OrientedForces::Operator(ofNetwork), OrientedForces::Operator(ofSkin)}) {
     const OrientedForces oriented(lung, frame, solved);
     for (int n = 0; n < 10; ++n) {
-      const auto law = forceCoefficients(Side::Right, anyDirection(random));
+      const auto law = forceCoefficients(Side::Right, testing::anyDirection(random));
       std::vector<double> force;
       for (const Vec3& p : lung.points) force.push_back(forceAt(law, frame.shareOf(p)));
       const std::vector<double> direct = solved(force);
@@ -54,7 +49,7 @@ TEST(OrientedForces, AsSphericalHarmonicsAreTheSame) {
   }
   std::mt19937 random(2);
   for (int n = 0; n < 10; ++n) {
-    const Vec3 g = anyDirection(random);
+    const Vec3 g = testing::anyDirection(random);
     std::vector<double> force;
     for (const Vec3& b : beta) force.push_back(2.0 + b.x() + b.dot(g));
     const std::vector<double> direct = network.forces(force, {1e-15});

@@ -5,13 +5,10 @@
 
 #include <gtest/gtest.h>
 
+#include "breathing/breathing_surfaces.h"
+
 namespace pneuma {
 namespace {
-
-Vec3 anyDirection(std::mt19937& random) {
-  std::normal_distribution<double> any;
-  return Vec3(any(random), any(random), any(random)).normalized();
-}
 
 struct Law {
   Posture posture;
@@ -40,7 +37,7 @@ TEST(ForceLaw, IsTheSumOfWhatGravityAddsAtEachWall) {
   std::uniform_real_distribution<double> share(0.0, 1.0);
   const auto positive = [](double x) { return std::max(0.0, x); };
   for (int n = 0; n < 50; ++n) {
-    const Vec3 g = anyDirection(random);
+    const Vec3 g = testing::anyDirection(random);
     const Vec3 q(share(random), share(random), share(random));
     for (const Side side : {Side::Right, Side::Left}) {
       const double out = side == Side::Left ? g.x() : -g.x();
@@ -57,8 +54,8 @@ TEST(ForceLaw, IsTheSumOfWhatGravityAddsAtEachWall) {
 TEST(ForceLaw, AsSphericalHarmonicsIsTheSame) {
   std::mt19937 random(2);
   for (int n = 0; n < 50; ++n) {
-    const Vec3 beta = 3.0 * anyDirection(random);
-    const Vec3 g = anyDirection(random);
+    const Vec3 beta = 3.0 * testing::anyDirection(random);
+    const Vec3 g = testing::anyDirection(random);
     EXPECT_NEAR(harmonicSum(harmonicsOf(0.3, beta), g), 0.3 + beta.dot(g), 1e-14);
   }
   EXPECT_NEAR(harmonicsOf(0.282094791773878, Vec3::Zero())[0], 1.0, 1e-12);     // Y00
