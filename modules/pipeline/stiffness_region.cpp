@@ -58,7 +58,7 @@ Side sideOf(const StiffnessRegion& ball, const LungModel& model) {
 }
 
 bool isIn(const StiffnessRegion& region, Side of, const LungModel& model) {
-  return isBall(region) ? sideOf(region, model) == of : side(region.lobe) == of;
+  return (isBall(region) ? sideOf(region, model) : side(lobeOf(model, region.lobe).lobe)) == of;
 }
 
 }  // namespace

@@ -8,7 +8,7 @@ keeps() { expect "the JSON breaks $1: $("$JSON_CHECK" "$SCHEMAS/$1.schema.json" 
 # share LOBE: its share of the lung in a report.
 share() { awk -v lobe="$1" '/"lobe"/ { this = $2 } /"share_of_lung"/ && this ~ "\"" lobe "\"" { gsub(/[^0-9.e-]/, "", $2); print $2; exit }' "$2"; }
 
-succeeds "a CT" sample chest --ct --spacing 3 --thick 3 -q
+succeeds "a CT" sample chest --ct --spacing 2 --thick 3 -q
 succeeds "its lungs" segment chest/ct.nii.gz --surfaces lungs --central central.vtp -q
 
 succeeds "lobes as most people have them" lobes lungs -o lobes
