@@ -67,8 +67,8 @@ LungMotion::LungMotion(Side side, const TriangleMesh& wall, const LungMotionOpti
     for (Vec3& u : ofWall_) u *= forceShare_;
   }
   volume_ = volumePolynomial(wall_, ofWall_);
-  maxScale_ = 0.5 * foldLimit(wall_, ofWall_).value_or(NeverFolds);
-  minScale_ = 0.5 * foldLimit(wall_, ofWall_, -1.0).value_or(-NeverFolds);
+  maxScale_ = foldLimit(wall_, ofWall_).value_or(NeverFolds) / SafeTimes;
+  minScale_ = foldLimit(wall_, ofWall_, -1.0).value_or(-NeverFolds) / SafeTimes;
 }
 
 Vec3 LungMotion::fieldAt(const Vec3& p) const {

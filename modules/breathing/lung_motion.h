@@ -70,7 +70,10 @@ class LungMotion {
   /// was drawn anew around them.
   double scaleFor(const VolumePolynomial& volume, double volumeMm3) const;
 
-  /// Half of the s above and below 0 at which a triangle of the wall would turn over.
+  /// So many times as far as it may go, nothing turns over or inside out.
+  static constexpr double SafeTimes = 1.5;
+
+  /// The s above and below 0 at which a triangle of the wall would turn over, by SafeTimes.
   double maxScale() const { return maxScale_; }
 
   double minScale() const { return minScale_; }

@@ -11,7 +11,6 @@ namespace {
 
 constexpr double Mm3PerMl = 1000.0;
 constexpr double MlPerLitre = 1000.0;
-constexpr double SafeShare = 1.5;  // of the largest s in use, at which nothing may turn inside out
 
 /// @throws InvalidOption if options speak against each other
 void requireOneMotion(const BreatheOptions& options) {
@@ -148,7 +147,8 @@ BreathingLungs breathe(const LungModel& given, const BreatheOptions& options,
     lungs.frames.push_back(std::move(frame));
   }
   for (const auto& [side, motion] : lungs.motion) {
-    lungs.leastDeterminant[side] = leastDeterminant(motion, probesIn(motion), SafeShare);
+    lungs.leastDeterminant[side] =
+        leastDeterminant(motion, probesIn(motion), LungMotion::SafeTimes);
     if (lungs.leastDeterminant[side] <= 0.0) {
       throw InvalidInput("the " + std::string(name(side)) +
                          " lung would be turned inside out at 1.5 times this breath; ask for a "

@@ -99,7 +99,7 @@ Json breatheReport(const LungModel& model, const BreathingLungs& lungs,
                                {"least_ml", volume(*least)},
                                {"most_ml", volume(*most)},
                                {"layer_mm", motion.layerMm()},
-                               {"fold_scale", 2.0 * motion.maxScale()},
+                               {"fold_scale", LungMotion::SafeTimes * motion.maxScale()},
                                {"least_determinant", lungs.leastDeterminant.at(of)}});
     const std::string suffix = of == Side::Right ? "-R" : "-L";
     checks.push_back({"VOLUME" + suffix, volumeErrorMl(lungs, of), MostVolumeErrorMl});
