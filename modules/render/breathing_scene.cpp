@@ -1,6 +1,7 @@
 #include "render/breathing_scene.h"
 
 #include <numeric>
+#include <utility>
 
 #include <vtkDecimatePro.h>
 #include <vtkIdTypeArray.h>
@@ -59,11 +60,14 @@ void addCoarseSurfaces(BreathingScene& breathing,
   for (const auto& mesh : meshes) all += mesh->triangles.size();
   if (all <= triangles) return;
   const double keep = static_cast<double>(triangles) / static_cast<double>(all);
-  std::vector<std::size_t> origins;
   for (std::size_t i = 0; i < meshes.size(); ++i) {
     BreathingScene::Surface& surface = breathing.surfaces[i];
-    surface.coarse = std::make_shared<const TriangleMesh>(decimated(*meshes[i], keep, origins));
-    for (const std::size_t origin : origins) {
+    if (!surface.coarse) {
+      std::vector<std::size_t> origins;
+      surface.coarse = std::make_shared<const TriangleMesh>(decimated(*meshes[i], keep, origins));
+      surface.coarseOrigins = std::make_shared<const std::vector<std::size_t>>(std::move(origins));
+    }
+    for (const std::size_t origin : *surface.coarseOrigins) {
       surface.coarseDisplacement.push_back(surface.displacement[origin]);
       if (!surface.values.empty()) surface.coarseValues.push_back(surface.values[origin]);
     }

@@ -17,6 +17,8 @@ struct BreathingScene {
     std::vector<double> values;      ///< of each point, that colour it; none: the lobe's colour
     /// Fewer triangles for moving pictures, with the same of its points.
     std::shared_ptr<const TriangleMesh> coarse{};
+    std::shared_ptr<const std::vector<std::size_t>>
+        coarseOrigins{};  ///< of its points in the whole
     std::vector<Vec3> coarseDisplacement{};
     std::vector<double> coarseValues{};
   };
@@ -27,7 +29,8 @@ struct BreathingScene {
 };
 
 /// Fills in the surfaces' coarse forms, so that all have about `triangles` together; those of
-/// surfaces that are no finer stay empty. Takes a second for a million triangles.
+/// surfaces that are no finer stay empty. Takes seconds for a million triangles; surfaces that have
+/// a coarse form already, of another scene of the same meshes, keep it.
 /// @param meshes of the surfaces, in their order
 void addCoarseSurfaces(BreathingScene& breathing,
                        const std::vector<std::shared_ptr<const TriangleMesh>>& meshes,

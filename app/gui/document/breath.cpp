@@ -80,6 +80,10 @@ std::shared_ptr<const Breath> breathOf(const LungModel& model, BreathingLungs lu
         surface.displacement.assign(meshes[i]->points.size(), Vec3::Zero());
         if (colour != BreathColour::Lobe) surface.values.assign(meshes[i]->points.size(), 0.0);
       }
+      if (const auto& first = breath->scenes.front(); first != nullptr) {
+        surface.coarse = first->surfaces[i].coarse;
+        surface.coarseOrigins = first->surfaces[i].coarseOrigins;
+      }
       scene->surfaces.push_back(std::move(surface));
     }
     addCoarseSurfaces(*scene, meshes, MovingTriangles);
