@@ -1,7 +1,6 @@
 #include "widgets/breathing_panel.h"
 
 #include <QLabel>
-#include <QScrollArea>
 #include <QVBoxLayout>
 #include <QVariant>
 
@@ -12,6 +11,7 @@
 #include "widgets/actions.h"
 #include "widgets/heading.h"
 #include "widgets/options_form.h"
+#include "widgets/scrolled.h"
 #include "widgets/sheet_card.h"
 
 namespace pneuma {
@@ -41,15 +41,7 @@ BreathingPanel::BreathingPanel(Document& document, const Actions& actions, QWidg
   column->addWidget(breath_);
   column->addWidget(actionButton(actions.saveBreath, "saveBreath"));
   column->addStretch();
-  auto* scroll = new QScrollArea;
-  scroll->setWidget(content);
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll->setFocusPolicy(Qt::NoFocus);
-  auto* whole = new QVBoxLayout(this);
-  whole->setContentsMargins(0, 0, 0, 0);
-  whole->addWidget(scroll);
+  fillScrolling(this, content);
 
   connect(&model_, &QAbstractItemModel::dataChanged, this,
           [this] { document_.setBreatheOptions(model_.options<BreatheOptions>()); });

@@ -23,6 +23,7 @@
 #include "widgets/actions.h"
 #include "widgets/fissure_card.h"
 #include "widgets/heading.h"
+#include "widgets/scrolled.h"
 #include "widgets/sheet_card.h"
 
 namespace pneuma {
@@ -123,17 +124,9 @@ LobesPanel::LobesPanel(Document& document, FissureEditor& editor, ReviewWalk& re
   addSmoothness(*column);
   addShares(*column);
   column->addStretch();
-  auto* scroll = new QScrollArea;
-  scroll->setWidget(content);
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll->setFocusPolicy(Qt::NoFocus);
+  QScrollArea* scroll = fillScrolling(this, content);
   scroll->setObjectName(QStringLiteral("lobesScroll"));
   scroll->verticalScrollBar()->setObjectName(QStringLiteral("lobesScrollBar"));
-  auto* whole = new QVBoxLayout(this);
-  whole->setContentsMargins(0, 0, 0, 0);
-  whole->addWidget(scroll);
 
   column_ = content;
   fitting_ = new QTimer(this);

@@ -3,7 +3,6 @@
 #include <QCheckBox>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QScrollArea>
 #include <QSignalBlocker>
 #include <QSlider>
 #include <QVBoxLayout>
@@ -16,6 +15,7 @@
 #include "widgets/actions.h"
 #include "widgets/heading.h"
 #include "widgets/options_form.h"
+#include "widgets/scrolled.h"
 #include "widgets/sheet_card.h"
 
 namespace pneuma {
@@ -58,15 +58,7 @@ LungsPanel::LungsPanel(Document& document, SliceViews& slices, const Actions& ac
   found_->setAccessibleName(tr("Lungs that were found"));
   column->addWidget(found_);
   column->addStretch();
-  auto* scroll = new QScrollArea;
-  scroll->setWidget(content);
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll->setFocusPolicy(Qt::NoFocus);
-  auto* whole = new QVBoxLayout(this);
-  whole->setContentsMargins(0, 0, 0, 0);
-  whole->addWidget(scroll);
+  fillScrolling(this, content);
 
   connect(&model_, &QAbstractItemModel::dataChanged, this, &LungsPanel::takeOptions);
   connect(threshold_, &QSlider::valueChanged, this, [this](int hu) {
