@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <span>
 #include <utility>
 
 #include <vtkDataArray.h>
 #include <vtkDoubleArray.h>
+#include <vtkFloatArray.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkNew.h>
@@ -14,18 +16,72 @@
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 
 #include "core/error.h"
-#include "core/parallel.h"
+#include "core/moving_points.h"
 
 namespace pneuma {
+namespace {
+
+/// An array as `Array`, which is itself if it is one.
+template <class Array>
+vtkSmartPointer<Array> as(vtkDataArray& array) {
+  if (Array* same = Array::SafeDownCast(&array)) return same;
+  auto copy = vtkSmartPointer<Array>::New();
+  copy->DeepCopy(&array);
+  return copy;
+}
+
+template <class Array>
+auto numbers(Array& array) {
+  return std::span(array.GetPointer(0), static_cast<std::size_t>(array.GetNumberOfValues()));
+}
+
+template <class Array>
+vtkSmartPointer<Array> likeThat(vtkDataArray& array) {
+  auto result = vtkSmartPointer<Array>::New();
+  result->SetNumberOfComponents(3);
+  result->SetNumberOfTuples(array.GetNumberOfTuples());
+  return result;
+}
+
+/// In the precision of the points.
+vtkSmartPointer<vtkDataArray> moved(vtkDataArray& points, vtkDataArray& displacement, double s) {
+  if (points.GetDataType() == VTK_FLOAT) {
+    const auto result = likeThat<vtkFloatArray>(points);
+    moveAlong(numbers(*as<vtkFloatArray>(points)), numbers(*as<vtkFloatArray>(displacement)),
+              static_cast<float>(s), numbers(*result));
+    return result;
+  }
+  const auto result = likeThat<vtkDoubleArray>(points);
+  moveAlong(numbers(*as<vtkDoubleArray>(points)), numbers(*as<vtkDoubleArray>(displacement)), s,
+            numbers(*result));
+  return result;
+}
+
+vtkSmartPointer<vtkDataArray> turned(vtkDataArray& normals, vtkDataArray& slope, double s) {
+  const auto result = likeThat<vtkFloatArray>(normals);
+  result->SetName(normals.GetName());
+  turnAlong(numbers(*as<vtkFloatArray>(normals)), numbers(*as<vtkFloatArray>(slope)),
+            static_cast<float>(s), numbers(*result));
+  return result;
+}
+
+}  // namespace
 
 vtkStandardNewMacro(BreathingFilter);
 
-BreathingFilter::BreathingFilter() { this->SetDisplacementArray("displacement"); }
+BreathingFilter::BreathingFilter() {
+  this->SetDisplacementArray("displacement");
+  this->SetNormalSlopeArray("normal_slope");
+}
 
-BreathingFilter::~BreathingFilter() { this->SetDisplacementArray(nullptr); }
+BreathingFilter::~BreathingFilter() {
+  this->SetDisplacementArray(nullptr);
+  this->SetNormalSlopeArray(nullptr);
+}
 
 void BreathingFilter::setBreath(std::vector<double> seconds, std::vector<double> scales) {
   const bool rising =
@@ -79,22 +135,16 @@ int BreathingFilter::RequestData(vtkInformation*, vtkInformationVector** inputs,
                              ? info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP())
                              : seconds_.front();
   const double scale = scaleAt(seconds);
-  vtkNew<vtkDoubleArray> moved;
-  moved->SetNumberOfComponents(3);
-  moved->SetNumberOfTuples(input->GetNumberOfPoints());
-  parallelFor(static_cast<std::size_t>(input->GetNumberOfPoints()), [&](std::size_t n) {
-    double p[3];
-    double u[3];
-    input->GetPoint(static_cast<vtkIdType>(n), p);
-    displacement->GetTuple(static_cast<vtkIdType>(n), u);
-    double* to = moved->GetPointer(3 * static_cast<vtkIdType>(n));
-    for (int axis = 0; axis < 3; ++axis) to[axis] = p[axis] + scale * u[axis];
-  });
   vtkNew<vtkPoints> points;
-  points->SetData(moved);
+  points->SetData(moved(*input->GetPoints()->GetData(), *displacement, scale));
   output->ShallowCopy(input);
   output->SetPoints(points);
-  output->GetPointData()->SetNormals(nullptr);  // those of the surface at rest
+  vtkDataArray* normals = input->GetPointData()->GetNormals();
+  vtkDataArray* slope = input->GetPointData()->GetArray(NormalSlopeArray);
+  output->GetPointData()->SetNormals(normals != nullptr && slope != nullptr &&
+                                             slope->GetNumberOfComponents() == 3
+                                         ? turned(*normals, *slope, scale)
+                                         : nullptr);
   output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), seconds);
   return 1;
 }

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "breathing/pitcher_catcher.h"
 #include "breathing/posture.h"
 #include "breathing/spring_network.h"
+#include "core/moving_points.h"
 #include "core/parallel.h"
 
 // The forces of a lung's surface by the published network, solved and pitched; by the elastic
@@ -130,32 +132,61 @@ void elasticSurface(benchmark::State& state) {
   if (state.range(0) == Quarter) state.counters["apart_%"] = apartPercent(lung, force, found);
 }
 
+/// One more force on a surface that is set up already, as each further posture or stiffness asks.
+void elasticSurfaceAgain(benchmark::State& state) {
+  const TriangleMesh lung = lungOf(static_cast<int>(state.range(0)));
+  const std::vector<double> force = supineForce(lung);
+  const ThreadLimit limit(static_cast<unsigned>(state.range(1)));
+  const ElasticSurface surface(lung);
+  for (auto _ : state) benchmark::DoNotOptimize(surface.response(force));
+  state.counters["points"] = static_cast<double>(lung.points.size());
+}
+
+constexpr std::size_t LargeNumbers = 3 * (4 * std::size_t{Large} * Large + 2);
+
 /// x = x0 + s u of as many points as the largest lung has, single precision.
 void playback(benchmark::State& state) {
-  constexpr std::size_t Numbers = 3 * (4 * std::size_t{Large} * Large + 2);
-  const std::vector<float> rest(Numbers, 1.0F);
-  const std::vector<float> u(Numbers, 0.5F);
-  std::vector<float> moved(Numbers);
+  const ThreadLimit limit(static_cast<unsigned>(state.range(0)));
+  const std::vector<float> rest(LargeNumbers, 1.0F);
+  const std::vector<float> u(LargeNumbers, 0.5F);
+  std::vector<float> moved(LargeNumbers);
   float s = 0.0F;
   for (auto _ : state) {
-    s += 0.01F;
-    for (std::size_t n = 0; n < Numbers; ++n) moved[n] = rest[n] + s * u[n];
-    benchmark::DoNotOptimize(moved.data());
+    moveAlong(rest, u, s += 0.01F, moved);
     benchmark::ClobberMemory();
   }
   state.SetBytesProcessed(
-      static_cast<std::int64_t>(state.iterations() * 3 * Numbers * sizeof(float)));
+      static_cast<std::int64_t>(state.iterations() * 3 * LargeNumbers * sizeof(float)));
+}
+
+/// The normals of these points besides.
+void playbackOfNormals(benchmark::State& state) {
+  const ThreadLimit limit(static_cast<unsigned>(state.range(0)));
+  const std::vector<float> normals(LargeNumbers, 0.57735F);
+  const std::vector<float> slope(LargeNumbers, 0.1F);
+  std::vector<float> turned(LargeNumbers);
+  float s = 0.0F;
+  for (auto _ : state) {
+    turnAlong(normals, slope, s += 0.01F, turned);
+    benchmark::ClobberMemory();
+  }
+  state.SetBytesProcessed(
+      static_cast<std::int64_t>(state.iterations() * 3 * LargeNumbers * sizeof(float)));
 }
 
 /// The same bytes copied, which nothing that reads and writes memory does faster: one read and one
-/// written for each of three halves.
+/// written for each of three halves, on as many threads.
 void copyOfAsManyBytes(benchmark::State& state) {
-  constexpr std::size_t Numbers = 3 * (4 * std::size_t{Large} * Large + 2) * 3 / 2;
+  const ThreadLimit limit(static_cast<unsigned>(state.range(0)));
+  constexpr std::size_t Numbers = LargeNumbers * 3 / 2;
+  constexpr std::size_t Piece = 1 << 16;
   const std::vector<float> from(Numbers, 1.0F);
   std::vector<float> to(Numbers);
   for (auto _ : state) {
-    std::copy(from.begin(), from.end(), to.begin());
-    benchmark::DoNotOptimize(to.data());
+    parallelFor((Numbers + Piece - 1) / Piece, [&](std::size_t n) {
+      std::copy_n(from.data() + n * Piece, std::min(Piece, Numbers - n * Piece),
+                  to.data() + n * Piece);
+    });
     benchmark::ClobberMemory();
   }
   state.SetBytesProcessed(
@@ -177,8 +208,13 @@ BENCHMARK(elasticSurface)
     ->ArgsProduct({{Small, Quarter, Medium, Large}, {1, 0}})
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
-BENCHMARK(playback)->Unit(benchmark::kMillisecond);
-BENCHMARK(copyOfAsManyBytes)->Unit(benchmark::kMillisecond);
+BENCHMARK(elasticSurfaceAgain)
+    ->ArgsProduct({{Small, Quarter, Medium, Large}, {1, 0}})
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+BENCHMARK(playback)->Arg(1)->Arg(0)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(playbackOfNormals)->Arg(1)->Arg(0)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(copyOfAsManyBytes)->Arg(1)->Arg(0)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 }  // namespace
 }  // namespace pneuma

@@ -1,7 +1,10 @@
 #include "render/breathing_filter.h"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 #include <vtkDoubleArray.h>
+#include <vtkFloatArray.h>
 #include <vtkInformation.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -49,6 +52,48 @@ TEST(BreathingFilter, AnswersRequestsForAnyTime) {
   EXPECT_DOUBLE_EQ(heightAt(6.0), 1.5) << "the next breath";
   EXPECT_DOUBLE_EQ(filter->GetOutput()->GetPoint(2)[0], 20.0);
   EXPECT_EQ(filter->GetInput()->GetNumberOfElements(vtkDataObject::POINT), 3);
+}
+
+TEST(BreathingFilter, TurnsNormalsIfItKnowsHow) {
+  const auto data = triangle("displacement");
+  vtkNew<vtkFloatArray> normals;
+  vtkNew<vtkFloatArray> slope;
+  for (vtkFloatArray* array : {normals.Get(), slope.Get()}) array->SetNumberOfComponents(3);
+  normals->SetName("Normals");
+  slope->SetName("normal_slope");
+  for (int n = 0; n < 3; ++n) {
+    normals->InsertNextTuple3(1.0, 0.0, 0.0);
+    slope->InsertNextTuple3(0.0, 2.0, 0.0);
+  }
+  data->GetPointData()->SetNormals(normals);
+  vtkNew<BreathingFilter> filter;
+  filter->SetInputData(data);
+  filter->setBreath({0.0, 1.0}, {0.0, 1.0});
+  filter->UpdateTimeStep(0.5);
+  EXPECT_EQ(filter->GetOutput()->GetPointData()->GetNormals(), nullptr) << "of the lungs at rest";
+  data->GetPointData()->AddArray(slope);
+  data->Modified();
+  filter->UpdateTimeStep(0.5);
+  vtkDataArray* turned = filter->GetOutput()->GetPointData()->GetNormals();
+  ASSERT_NE(turned, nullptr);
+  EXPECT_NEAR(turned->GetComponent(1, 0), std::sqrt(0.5), 1e-6);
+  EXPECT_NEAR(turned->GetComponent(1, 1), std::sqrt(0.5), 1e-6);
+  EXPECT_EQ(normals->GetComponent(1, 1), 0.0) << "the input stays";
+}
+
+TEST(BreathingFilter, MovesPointsOfSinglePrecisionToo) {
+  const auto data = triangle("displacement");
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToFloat();
+  for (int n = 0; n < 3; ++n) points->InsertNextPoint(10.0 * n, 5.0, 0.0);
+  data->SetPoints(points);
+  vtkNew<BreathingFilter> filter;
+  filter->SetInputData(data);
+  filter->setBreath({0.0, 1.0}, {0.0, 1.0});
+  filter->UpdateTimeStep(0.5);
+  EXPECT_EQ(filter->GetOutput()->GetPoints()->GetDataType(), VTK_FLOAT);
+  EXPECT_DOUBLE_EQ(filter->GetOutput()->GetPoint(2)[2], 1.5);
+  EXPECT_DOUBLE_EQ(filter->GetOutput()->GetPoint(2)[0], 20.0);
 }
 
 TEST(BreathingFilter, TakesItsArrayByName) {
