@@ -18,7 +18,7 @@ if(NOT PNEUMA_CORE_ONLY)
     VTK 9.1 REQUIRED
     COMPONENTS CommonColor CommonCore CommonDataModel CommonExecutionModel CommonMath CommonTransforms
                FiltersCore FiltersGeneral FiltersGeometry FiltersSources
-               IOCore IOGeometry IOImage IOPLY IOXML ImagingCore
+               IOCore IOGeometry IOImage IOOggTheora IOPLY IOXML ImagingCore
                InteractionStyle RenderingCore RenderingFreeType RenderingOpenGL2)
   find_package(DICOM 0.8 REQUIRED)                 # vtk-dicom: series of CT slices, private to io
   if(PNEUMA_BUILD_GUI)

@@ -5,6 +5,7 @@
 
 #include "cli/arguments.h"
 #include "cli/breath_frames.h"
+#include "cli/breath_gltf.h"
 #include "cli/breath_picture.h"
 #include "cli/command.h"
 #include "cli/files.h"
@@ -22,6 +23,7 @@ struct BreatheArguments {
   BreatheOptions options;
   std::filesystem::path fit;
   std::filesystem::path curve;
+  std::filesystem::path gltf;
   std::vector<std::string> stiffness;
   std::vector<std::string> emphysema;
   bool pictures = false;
@@ -105,6 +107,13 @@ ExitCode runBreathe(BreatheArguments arguments, const CommonOptions& common,
     paths.push_back(arguments.curve);
     paths.push_back(table);
   }
+  if (!arguments.gltf.empty()) {
+    if (arguments.gltf.extension() != ".glb") {
+      throw Unsupported("animations are written as binary glTF; '" + arguments.gltf.string() +
+                        "' should end in .glb");
+    }
+    paths.push_back(arguments.gltf);
+  }
   if (arguments.pictures) {
     requireDisplay();
     for (int n = 0; n < arguments.options.frames; ++n) {
@@ -127,6 +136,7 @@ ExitCode runBreathe(BreatheArguments arguments, const CommonOptions& common,
     };
     drawBreath(lungs, arguments.look, write, progress.part(0.85, 1.0, "drawing"));
   }
+  if (!arguments.gltf.empty()) writeBreathGltf(arguments.gltf, lungs, common.existing());
   if (!arguments.curve.empty()) {
     writeFile(arguments.curve, pngText(breathPicture(lungs.cycle, measured)), common.existing());
     writeFile(tableBeside(arguments.curve), breathCurveCsv(lungs.cycle), common.existing());
@@ -158,6 +168,9 @@ Run declareBreathe(CLI::App& app, CommonOptions& common) {
   app.add_option("--curve", arguments->curve,
                  "Draw pressure and volume of the breath (.png) and write them as a table (.csv) "
                  "beside it.")
+      ->type_name("FILE");
+  app.add_option("--gltf", arguments->gltf,
+                 "Write the lungs, moving, for web pages, Blender and slides too (.glb).")
       ->type_name("FILE");
   addRepeatable(app, "--stiffness", arguments->stiffness, "REGION=FACTOR",
                 "A lobe, or a ball X,Y,Z,RADIUS (mm, LPS), and how many times as stiff as healthy "

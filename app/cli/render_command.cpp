@@ -6,10 +6,12 @@
 #include "cli/files.h"
 #include "cli/model_scene.h"
 #include "cli/picture_arguments.h"
+#include "cli/series_picture.h"
 #include "cli/slice_arguments.h"
 #include "cli/slice_sheet.h"
 #include "cli/text.h"
 #include "io/ct_file.h"
+#include "render/movie.h"
 #include "render/picture.h"
 
 namespace pneuma::cli {
@@ -23,11 +25,23 @@ struct RenderArguments : PictureArguments {
   bool noAnnotations = false;
   std::filesystem::path reference;
   std::filesystem::path difference;
-  double threshold = 0.03;  ///< a field
+  // The members below are fields.
+  double threshold = 0.03;
+  double time = 0.0;
+  int rate = 0;
+  int repeat = 1;
 
   static constexpr auto fields() {
-    return std::tuple{Field{"threshold", &RenderArguments::threshold, "", Range{0.0, 1.0},
-                            "How different from --reference the picture may look."}};
+    using R = RenderArguments;
+    return std::tuple{
+        Field{"threshold", &R::threshold, "", Range{0.0, 1.0},
+              "How different from --reference the picture may look."},
+        Field{"time", &R::time, "s", Range{0.0, 1e6},
+              "Of a breath (.pvd), the moment of the picture; the nearest there is."},
+        Field{"rate", &R::rate, "/s", Range{0, 120},
+              "Pictures a second of a film (.ogv); 0: as fast as the breath was."},
+        Field{"repeat", &R::repeat, "", Range{1, 100}, "How many breaths a film shows."},
+    };
   }
 };
 
@@ -43,6 +57,12 @@ std::vector<Lobe> hiddenLobes(const std::vector<std::string>& names) {
   return lobes;
 }
 
+bool drawsSeries(const RenderArguments& arguments) {
+  return std::ranges::any_of(arguments.inputs, isSeries);
+}
+
+bool isFilm(const std::filesystem::path& path) { return path.extension() == ".ogv"; }
+
 bool drawsSlices(const RenderArguments& arguments) {
   return arguments.slices.any() || std::ranges::any_of(arguments.inputs, isCtPath);
 }
@@ -51,24 +71,74 @@ void requireUsable(const RenderArguments& arguments, const CommonOptions& common
   if (!arguments.difference.empty() && arguments.reference.empty()) {
     throw InvalidOption("--diff needs --reference, the picture to compare with");
   }
-  requirePngOutput(common.output, common.existing());
+  if (isFilm(common.output)) {
+    if (!drawsSeries(arguments)) {
+      throw InvalidOption("a film needs a breath: give the .pvd of 'pneuma breathe'");
+    }
+    if (!arguments.reference.empty()) {
+      throw InvalidOption("films are not compared; leave --reference out or draw a .png");
+    }
+    requireOutput(common.output, common.existing());
+  } else {
+    requirePngOutput(common.output, common.existing());
+  }
+  if (drawsSeries(arguments) && arguments.inputs.size() > 1) {
+    throw InvalidOption("a breath (.pvd) is drawn alone; its airways are in it");
+  }
   requireOtherThanInputs(common.output, {&arguments.reference, 1});
   if (!arguments.difference.empty()) requirePngOutput(arguments.difference, common.existing());
   if (!arguments.reference.empty()) (void)readPng(arguments.reference);
   if (!drawsSlices(arguments)) requireDisplay();
 }
 
-Picture scenePicture(const RenderArguments& arguments, const LungModel& model,
-                     const PictureSize& size) {
-  const ViewDirection view = viewDirection(arguments.view);
-  const std::vector<Lobe> hidden = hiddenLobes(arguments.hidden);
-  Scene scene;
+void dress(Scene& scene, const RenderArguments& arguments) {
   SceneOptions options = sceneOptions(arguments);
   options.annotations = !arguments.noAnnotations;
   scene.setOptions(options);
-  showModel(scene, model, hidden);
-  scene.look(view);
+}
+
+Picture scenePicture(const RenderArguments& arguments, const LungModel& model,
+                     const PictureSize& size) {
+  Scene scene;
+  dress(scene, arguments);
+  showModel(scene, model, hiddenLobes(arguments.hidden));
+  scene.look(viewDirection(arguments.view));
   return renderPicture(scene, size.width, size.height);
+}
+
+/// Some moments of a breath, from one place. @param take gets every picture
+void drawMoments(const RenderArguments& arguments, const std::vector<SeriesMoment>& moments,
+                 const std::function<void(Picture picture)>& take, const Progress& progress) {
+  Scene scene;
+  dress(scene, arguments);
+  const std::vector<Lobe> hidden = hiddenLobes(arguments.hidden);
+  drawSeries(
+      moments, scene, viewDirection(arguments.view),
+      [&](const LungModel& model) { showModel(scene, model, hidden); },
+      [&] { take(renderPicture(scene, arguments.size.width, arguments.size.height)); }, progress);
+}
+
+ExitCode writeFilm(const RenderArguments& arguments, const CommonOptions& common,
+                   const Progress& progress) {
+  const Series series = readSeries(arguments.inputs.front());
+  Movie movie(arguments.rate == 0 ? series.rate() : arguments.rate);
+  std::vector<Picture> pictures;
+  drawMoments(
+      arguments, series.moments, [&](Picture picture) { pictures.push_back(std::move(picture)); },
+      progress);
+  for (int n = 0; n < arguments.repeat; ++n) {
+    for (const Picture& picture : pictures) movie.add(picture);
+  }
+  OutputSet outputs;
+  outputs.add(common.output);
+  writeFile(common.output, movie.finish(), common.existing());
+  outputs.keep();
+  if (!common.quiet) {
+    std::cout << common.output.string() << ": "
+              << pictures.size() * static_cast<std::size_t>(arguments.repeat) << " pictures, "
+              << (arguments.rate == 0 ? series.rate() : arguments.rate) << " a second\n";
+  }
+  return ExitCode::Done;
 }
 
 Picture slicesPicture(const RenderArguments& arguments, const LungModel& model) {
@@ -97,10 +167,15 @@ void requireSpelled(const RenderArguments& arguments) {
   for (const std::string& marker : arguments.slices.markers) (void)markerPoint(marker);
 }
 
-ExitCode runRender(const RenderArguments& arguments, const CommonOptions& common,
+ExitCode runRender(RenderArguments arguments, const CommonOptions& common,
                    const Progress& progress) {
   requireSpelled(arguments);
   requireUsable(arguments, common);
+  if (isFilm(common.output)) return writeFilm(arguments, common, progress);
+  if (drawsSeries(arguments)) {
+    const Series series = readSeries(arguments.inputs.front());
+    arguments.inputs = series.moments[series.nearestTo(arguments.time)].files;
+  }
   LungModel model = openFiles(arguments.inputs, progress.part(0.0, 0.5, "reading"));
   if (!model.ct && arguments.slices.any()) {
     throw InvalidInput("slices, labels and marks need a CT, and none of the inputs is one");
@@ -143,10 +218,11 @@ ExitCode runRender(const RenderArguments& arguments, const CommonOptions& common
 Run declareRender(CLI::App& app, CommonOptions& common) {
   const auto arguments = std::make_shared<RenderArguments>();
   addFiles(app, "INPUTS", arguments->inputs,
-           "Surfaces, trees and folders of them, mixed; or a CT, of which "
-           "slices are drawn.")
+           "Surfaces, trees and folders of them, mixed; or a CT, of which slices are drawn; or a "
+           "breath (.pvd).")
       ->required();
-  addOutput(app, common, "FILE", "Where the picture goes: .png.")->required();
+  addOutput(app, common, "FILE", "Where the picture goes: .png; of a breath also a film: .ogv.")
+      ->required();
   addPictureArguments(app, *arguments, "Width and height in pixels.");
   arguments->opacityOption = app.get_option("--opacity");
   addSliceArguments(app, arguments->slices);

@@ -27,6 +27,12 @@ struct TimedFile {
 /// @throws OutputFailed
 void writeTimeCollection(const std::filesystem::path& path, const std::vector<TimedFile>& files);
 
+/// Reads a ParaView collection (.pvd): the files of every moment, moments in rising order. Nothing
+/// of the files themselves is looked at.
+/// @throws InputMissing; InvalidInput if it is no collection, names no file, or names one that lies
+/// outside its own folder
+std::vector<TimedFile> readTimeCollection(const std::filesystem::path& path);
+
 /// Writes a VTK file series (.vtp.series) of the files of one part.
 /// @throws OutputFailed
 void writeFileSeries(const std::filesystem::path& path, const std::vector<TimedFile>& files,

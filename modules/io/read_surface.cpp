@@ -1,8 +1,11 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
 #include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
 #include <vtkNew.h>
 #include <vtkOBJReader.h>
 #include <vtkPLYReader.h>
@@ -153,6 +156,24 @@ TriangleMesh meshOf(vtkPolyData& data, bool ras, const std::string& name) {
   return mesh;
 }
 
+/// The array "lobe" of the triangles, as Pneuma writes it: whole numbers below 256, one for each.
+std::vector<std::uint8_t> lobesOf(vtkPolyData& data) {
+  vtkDataArray* array = data.GetCellData()->GetArray("lobe");
+  const vtkIdType count = data.GetNumberOfPolys();
+  if (array == nullptr || array->GetNumberOfComponents() != 1 ||
+      array->GetNumberOfTuples() != count || data.GetNumberOfCells() != count) {
+    return {};
+  }
+  std::vector<std::uint8_t> lobes;
+  lobes.reserve(static_cast<std::size_t>(count));
+  for (vtkIdType n = 0; n < count; ++n) {
+    const double value = array->GetComponent(n, 0);
+    if (!(value >= 0.0 && value < 256.0 && value == std::floor(value))) return {};
+    lobes.push_back(static_cast<std::uint8_t>(value));
+  }
+  return lobes;
+}
+
 }  // namespace
 
 bool isSurfaceFileName(const std::filesystem::path& path) {
@@ -197,6 +218,7 @@ SurfaceFile readSurface(const std::filesystem::path& path) {
   }
   if (file.space != "LPS" && file.space != "RAS") file.space.clear();
   data = triangulated(*data, file, name);
+  file.lobes = lobesOf(*data);
   file.mesh = meshOf(*data, file.space == "RAS", name);
   if (file.space == "RAS") {
     file.notes.push_back(name + " is in RAS coordinates; they were turned to LPS.");

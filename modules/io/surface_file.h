@@ -12,10 +12,11 @@ namespace pneuma {
 
 /// A surface as it stands in a file, converted to LPS but to nothing else.
 struct SurfaceFile {
-  TriangleMesh mesh;               ///< equal points joined, polygons cut into triangles
-  std::string format;              ///< "STL", "OBJ", "PLY", "VTP"
-  std::string space;               ///< "LPS" or "RAS" as the file says, "" if it does not
-  std::vector<std::string> notes;  ///< whole sentences: what was converted or left out
+  TriangleMesh mesh;                ///< equal points joined, polygons cut into triangles
+  std::string format;               ///< "STL", "OBJ", "PLY", "VTP"
+  std::string space;                ///< "LPS" or "RAS" as the file says, "" if it does not
+  std::vector<std::uint8_t> lobes;  ///< of each triangle, by a VTP's array "lobe"; none without one
+  std::vector<std::string> notes;   ///< whole sentences: what was converted or left out
 };
 
 /// Reads STL (binary or ASCII), OBJ, PLY or VTP. The content decides on the format, then the

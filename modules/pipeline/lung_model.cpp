@@ -14,6 +14,7 @@
 #include "io/tree_file.h"
 #include "io/volume_file.h"
 #include "pipeline/ct_model.h"
+#include "pipeline/lobe_parts.h"
 
 namespace pneuma {
 namespace {
@@ -171,11 +172,18 @@ LungModel openLobes(std::span<const fs::path> paths, const Progress& progress) {
     for (std::string& note : file.notes) {
       notes[i].push_back(files[i].filename().string() + ": " + note);
     }
-    LobeSurface& surface = (*surfaces)[i];
-    surface.lobe = lobes[i];
-    surface.name = files[i].filename().string();
-    surface.health = examine(file.mesh, SelfIntersections::Ask, progress);
-    surface.mesh = std::make_shared<const TriangleMesh>(std::move(file.mesh));
+    const auto take = [&](LobeSurface& surface, Lobe lobe, TriangleMesh mesh) {
+      surface.lobe = lobe;
+      surface.name = files[i].filename().string();
+      surface.health = examine(mesh, SelfIntersections::Ask, progress);
+      surface.mesh = std::make_shared<const TriangleMesh>(std::move(mesh));
+    };
+    std::map<Lobe, TriangleMesh> parts;
+    if (files.size() == 1) parts = lobeParts(file.mesh, file.lobes);
+    if (parts.empty()) parts.emplace(lobes[i], std::move(file.mesh));
+    if (files.size() == 1) surfaces->resize(parts.size());
+    std::size_t n = i;
+    for (auto& [lobe, mesh] : parts) take((*surfaces)[n++], lobe, std::move(mesh));
   });
   for (const auto& some : notes) {
     model.warnings.insert(model.warnings.end(), some.begin(), some.end());

@@ -12,6 +12,7 @@
 
 #include "core/error.h"
 #include "render/picture.h"
+#include "render/picture_data.h"
 #include "render/vtk_messages.h"
 
 namespace pneuma {
@@ -122,17 +123,8 @@ Picture readPng(const std::filesystem::path& path) {
 }
 
 std::string pngText(const Picture& picture) {
-  vtkNew<vtkImageData> image;
-  image->SetDimensions(picture.width, picture.height, 1);
-  image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
-  const std::size_t stride = static_cast<std::size_t>(picture.width) * 3;
-  auto* pixels = static_cast<std::uint8_t*>(image->GetScalarPointer());
-  for (int row = 0; row < picture.height; ++row) {
-    const auto* line = picture.rgb.data() + static_cast<std::size_t>(row) * stride;
-    std::copy_n(line, stride, pixels + static_cast<std::size_t>(picture.height - 1 - row) * stride);
-  }
   vtkNew<vtkPNGWriter> writer;
-  writer->SetInputData(image);
+  writer->SetInputData(imageDataOf(picture));
   writer->WriteToMemoryOn();
   constexpr int SmallPicture = 1'000'000;  // pixels; beyond, the last percent takes seconds
   writer->SetCompressionLevel(picture.width * picture.height <= SmallPicture ? 9 : 6);

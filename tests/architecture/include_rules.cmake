@@ -36,8 +36,8 @@ endfunction()
 function(check_third_party file header)
   restrict(${file} ${header} "^CGAL/" "^(modules/geometry|tests)/.*[.]cpp$"
            "CGAL belongs in the .cpp files of modules/geometry")
-  restrict(${file} ${header} "^opencv" "^modules/(segmentation|render)/.*[.]cpp$"
-           "OpenCV belongs in the .cpp files of modules/segmentation and render")
+  restrict(${file} ${header} "^opencv" "^(modules/(segmentation|render)|tests/render)/.*[.]cpp$"
+           "OpenCV belongs in the .cpp files of modules/segmentation and render, and in those that test render")
   restrict(${file} ${header} "^Q([A-Z]|t)" "^(app|tests)/gui/" "Qt belongs in app/gui")
   restrict(${file} ${header} "^vtk"
            "^(modules/render|app/gui|tests)/|^modules/(io|pipeline|segmentation)/.*[.]cpp$"

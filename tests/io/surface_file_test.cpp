@@ -222,5 +222,16 @@ TEST(ReadRealLobes, AreClosedAndHaveThePublishedVolume) {
   EXPECT_NEAR(volume, 7.568e6, 0.002e6);
 }
 
+TEST(SurfaceFile, SaysWhichLobeATriangleIsOf) {
+  const TriangleMesh mesh = sampleSurface();
+  std::vector<std::uint8_t> lobes(mesh.triangles.size(), 2);
+  lobes.back() = 5;
+  const TempFolder folder;
+  writeSurface(folder / "lobes.vtp", mesh, {}, {{"lobe", lobes}});
+  EXPECT_EQ(readSurface(folder / "lobes.vtp").lobes, lobes);
+  writeSurface(folder / "other.vtp", mesh, {}, {{"on_fissure", lobes}});
+  EXPECT_THAT(readSurface(folder / "other.vtp").lobes, IsEmpty());
+}
+
 }  // namespace
 }  // namespace pneuma

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 class vtkPointSet;
 class vtkPolyData;
@@ -12,6 +13,10 @@ namespace pneuma {
 
 /// True if `content` begins as one of VTK's XML files does.
 bool looksLikeVtkXml(const std::string& content);
+
+/// VTK's parser recurses into elements: throws InvalidInput if they are nested deeper than any of
+/// its own files. @param header the text in which elements stand
+void requireFlatXml(std::string_view header, const std::string& name);
 
 /// Throws unless the file is complete and every array has the size it says, so that VTK's readers,
 /// which allocate first and do not always check, can be let loose on it.

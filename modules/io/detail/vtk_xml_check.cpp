@@ -39,24 +39,6 @@ std::string_view attribute(vtkXMLDataElement* element, const char* key) {
   return value == nullptr ? std::string_view() : std::string_view(value);
 }
 
-void requireFlat(std::string_view header, const std::string& name) {
-  int depth = 0;
-  for (std::size_t i = header.find('<'); i != std::string_view::npos; i = header.find('<', i + 1)) {
-    const char next = i + 1 < header.size() ? header[i + 1] : '\0';
-    if (next == '?' || next == '!') continue;
-    const std::size_t close = header.find('>', i);
-    if (close == std::string_view::npos) break;
-    if (next == '/') {
-      --depth;
-    } else if (header[close - 1] != '/') {
-      ++depth;
-    }
-    if (depth > DepthLimit) {
-      throw InvalidInput(name + " is damaged: its XML elements are nested too deeply");
-    }
-  }
-}
-
 /// One file at hand: its text, its encoding and the arrays' places in it.
 class Check {
  public:
@@ -73,7 +55,7 @@ class Check {
       throw InvalidInput(name_ + " is cut off: its closing tag </VTKFile> is missing; get it anew");
     }
     const std::size_t appended = content_.find("<AppendedData");
-    requireFlat(std::string_view(content_).substr(0, appended), name_);
+    requireFlatXml(std::string_view(content_).substr(0, appended), name_);
     std::istringstream stream(content_);
     parser_->SetStream(&stream);
     if (parser_->Parse() == 0 || !parserErrors_.first().empty() ||
@@ -347,6 +329,24 @@ class Check {
 };
 
 }  // namespace
+
+void requireFlatXml(std::string_view header, const std::string& name) {
+  int depth = 0;
+  for (std::size_t i = header.find('<'); i != std::string_view::npos; i = header.find('<', i + 1)) {
+    const char next = i + 1 < header.size() ? header[i + 1] : '\0';
+    if (next == '?' || next == '!') continue;
+    const std::size_t close = header.find('>', i);
+    if (close == std::string_view::npos) break;
+    if (next == '/') {
+      --depth;
+    } else if (header[close - 1] != '/') {
+      ++depth;
+    }
+    if (depth > DepthLimit) {
+      throw InvalidInput(name + " is damaged: its XML elements are nested too deeply");
+    }
+  }
+}
 
 std::string requireSoundVtkXml(const std::string& content, const std::string& name) {
   return Check(content, name).run();
