@@ -13,6 +13,7 @@
 #include "io/ct_file.h"
 #include "render/movie.h"
 #include "render/picture.h"
+#include "render/stereo.h"
 
 namespace pneuma::cli {
 namespace {
@@ -30,6 +31,8 @@ struct RenderArguments : PictureArguments {
   double time = 0.0;
   int rate = 0;
   int repeat = 1;
+  Stereo stereo = Stereo::None;
+  double eyeDistanceMm = StereoOptions{}.eyeDistanceMm;
 
   static constexpr auto fields() {
     using R = RenderArguments;
@@ -41,6 +44,10 @@ struct RenderArguments : PictureArguments {
         Field{"rate", &R::rate, "/s", Range{0, 120},
               "Pictures a second of a film (.ogv); 0: as fast as the breath was."},
         Field{"repeat", &R::repeat, "", Range{1, 100}, "How many breaths a film shows."},
+        Field{"stereo", &R::stereo, "", Range{},
+              "Two eyes' pictures: for red and cyan glasses, side by side, or for crossed eyes."},
+        Field{"eye-distance", &R::eyeDistanceMm, "mm", Range{1.0, 500.0},
+              "How far the eyes of --stereo are apart, in the scene."},
     };
   }
 };
@@ -82,6 +89,9 @@ void requireUsable(const RenderArguments& arguments, const CommonOptions& common
   } else {
     requirePngOutput(common.output, common.existing());
   }
+  if (drawsSlices(arguments) && arguments.stereo != Stereo::None) {
+    throw InvalidOption("slices have no depth; leave --stereo out or give surfaces and trees only");
+  }
   if (drawsSeries(arguments) && arguments.inputs.size() > 1) {
     throw InvalidOption("a breath (.pvd) is drawn alone; its airways are in it");
   }
@@ -97,13 +107,17 @@ void dress(Scene& scene, const RenderArguments& arguments) {
   scene.setOptions(options);
 }
 
+Picture drawn(Scene& scene, const RenderArguments& arguments, const PictureSize& size) {
+  return renderStereo(scene, size.width, size.height, {arguments.stereo, arguments.eyeDistanceMm});
+}
+
 Picture scenePicture(const RenderArguments& arguments, const LungModel& model,
                      const PictureSize& size) {
   Scene scene;
   dress(scene, arguments);
   showModel(scene, model, hiddenLobes(arguments.hidden));
   scene.look(viewDirection(arguments.view));
-  return renderPicture(scene, size.width, size.height);
+  return drawn(scene, arguments, size);
 }
 
 /// Some moments of a breath, from one place. @param take gets every picture
@@ -115,7 +129,7 @@ void drawMoments(const RenderArguments& arguments, const std::vector<SeriesMomen
   drawSeries(
       moments, scene, viewDirection(arguments.view),
       [&](const LungModel& model) { showModel(scene, model, hidden); },
-      [&] { take(renderPicture(scene, arguments.size.width, arguments.size.height)); }, progress);
+      [&] { take(drawn(scene, arguments, arguments.size)); }, progress);
 }
 
 ExitCode writeFilm(const RenderArguments& arguments, const CommonOptions& common,

@@ -44,6 +44,12 @@ refuses "figures that are there leave no picture" 6 "figures.json.*exists" \
   compare tree.vtp few.vtp --picture new.png -o figures.json
 refuses "a view that is none" 2 "view.*'sideways'|'sideways'" compare tree.vtp few.vtp --picture new.png --view sideways
 
+for stereo in anaglyph side-by-side crossed; do
+  succeeds "for two eyes, $stereo" render lobes tree.vtp "${size[@]}" --stereo "$stereo" -o "eyes_$stereo.png"
+done
+expect "both eyes see the same" test "$(cksum <eyes_crossed.png)" != "$(cksum <eyes_side-by-side.png)"
+refuses "eyes in one place" 2 "eye-distance" render lobes -o x.png --stereo crossed --eye-distance 0
+
 DISPLAY= refuses "no display" 10 "xvfb-run" render tree.vtp -o x.png
 DISPLAY=:9999 refuses "a display that does not answer" 10 "xvfb-run" render tree.vtp -o x.png
 DISPLAY= refuses "no display for the figures" 10 "xvfb-run" reproduce huang-2004 --pictures figures
