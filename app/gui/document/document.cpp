@@ -66,6 +66,7 @@ LungModel joined(const LungModel& open, LungModel read) {
   if (keepsAirways) read.central = open.central;
   if (keepsCt) {
     read.ct = open.ct;
+    read.ctSource = open.ctSource;
     read.labels = open.labels;
     read.lungs = open.lungs;
   }

@@ -6,22 +6,14 @@
 #include <vector>
 
 #include "document/fissure_traces.h"
-#include "document/lobe_edits.h"
 #include "document/tree_figures.h"
+#include "pipeline/lobe_edits.h"
 #include "pipeline/lung_model.h"
 #include "pipeline/lung_shape.h"
 
 namespace pneuma {
 
 struct Breath;
-
-/// That somebody looked at a fissure as it was then.
-struct FissureReview {
-  LobeEdits edits;       ///< what was looked at
-  bool skipped = false;  ///< accepted without looking at its stations
-
-  bool operator==(const FissureReview&) const = default;
-};
 
 /// Everything the window shows at one moment. A copy costs a few pointers, so undo keeps whole
 /// ones.
