@@ -1,14 +1,17 @@
 #include <algorithm>
 #include <iostream>
 #include <memory>
+#include <optional>
 
 #include "cli/arguments.h"
 #include "cli/command.h"
 #include "cli/conversion.h"
 #include "cli/files.h"
+#include "cli/project_export.h"
 #include "cli/text.h"
 #include "io/surface_file.h"
 #include "io/tree_file.h"
+#include "io/volume_file.h"
 
 namespace pneuma::cli {
 namespace {
@@ -41,11 +44,17 @@ struct ExportArguments {
   }
 };
 
-/// One file in, one file out.
+/// One file in, one file out; or something in a project.
 struct Job {
   fs::path input;
   fs::path output;
   bool isTree = false;
+  std::optional<ProjectPart> part = {};
+
+  std::string stem() const { return part ? part->stem : input.stem().string(); }
+
+  /// Neither a surface nor a tree, and written as it is.
+  bool isOther() const { return part && part->write; }
 };
 
 std::vector<Lobe> parsedLobes(const std::vector<std::string>& lists) {
@@ -68,15 +77,23 @@ std::vector<Lobe> parsedLobes(const std::vector<std::string>& lists) {
 
 bool isWanted(const Job& job, const std::vector<Lobe>& only) {
   if (only.empty() || job.isTree) return true;
-  const std::optional<Lobe> lobe = lobeOfFileName(job.input.filename().string());
+  if (job.isOther()) return false;
+  const std::optional<Lobe> lobe = lobeOfFileName(job.stem());
   return lobe && std::find(only.begin(), only.end(), *lobe) != only.end();
 }
 
-/// The files themselves, and the surfaces in the folders.
-std::vector<Job> inputs(const std::vector<fs::path>& paths) {
+/// The files themselves, the surfaces in the folders, everything in the projects.
+std::vector<Job> inputs(const std::vector<fs::path>& paths, const Progress& progress) {
   std::vector<Job> result;
   for (const fs::path& path : paths) {
     std::error_code error;
+    if (isProjectFileName(path)) {
+      for (ProjectPart& part : partsOfProject(path, progress)) {
+        const bool isTree = part.tree != nullptr;
+        result.push_back({path, {}, isTree, std::move(part)});
+      }
+      continue;
+    }
     const bool isFolder = fs::is_directory(path, error);
     for (const fs::path& file : expanded(std::vector{path})) {
       const Job job{file, {}, isTreeFile(file)};
@@ -86,10 +103,39 @@ std::vector<Job> inputs(const std::vector<fs::path>& paths) {
   return result;
 }
 
+bool holdsTrees(Format format) {
+  return format != Format::Stl && format != Format::Obj && format != Format::Ply;
+}
+
+bool holdsSurfaces(Format format) { return format == Format::Vtp || !holdsTrees(format); }
+
+/// A project has surfaces and trees: what the format does not hold goes to VTP.
+std::string extensionOf(const Job& job, const ExportArguments& arguments) {
+  if (!job.part) return textOf(arguments.format);
+  if (job.isOther()) return job.part->file.substr(job.part->stem.size() + 1);
+  const bool fits = job.isTree ? holdsTrees(arguments.format) : holdsSurfaces(arguments.format);
+  return fits ? textOf(arguments.format) : "vtp";
+}
+
+/// Of a project's parts the one that a single file can be: its surface, its tree or its labels.
+void chooseOne(std::vector<Job>& all, const std::vector<Lobe>& only, const fs::path& output) {
+  const bool tree = isTreeFileName(output) && (only.empty() || !isSurfaceFileName(output));
+  std::erase_if(all, [&](const Job& job) {
+    if (isVolumeFileName(output)) return !job.isOther() || !isVolumeFileName(job.part->file);
+    return job.isOther() || job.isTree != tree;
+  });
+  // What was grown comes before the central airways.
+  if (tree && all.size() > 1) all.resize(1);
+  if (all.size() == 1) return;
+  throw InvalidOption("the project holds " + std::to_string(all.size()) +
+                      " things that could become '" + output.string() +
+                      "'; choose a lobe with --only, or name a folder for everything");
+}
+
 std::vector<Job> jobs(const ExportArguments& arguments, const std::vector<Lobe>& only,
-                      const fs::path& output) {
+                      const fs::path& output, const Progress& progress) {
   std::vector<Job> result;
-  for (Job job : inputs(arguments.inputs)) {
+  for (Job job : inputs(arguments.inputs, progress)) {
     job.output = output;
     if (isWanted(job, only)) result.push_back(job);
   }
@@ -98,11 +144,10 @@ std::vector<Job> jobs(const ExportArguments& arguments, const std::vector<Lobe>&
         "there is no surface to export among the inputs that --only leaves; check the file names");
   }
   std::error_code error;
-  const bool intoFile = result.size() == 1 && !output.extension().empty();
-  if (!intoFile || fs::is_directory(output, error)) {
-    for (Job& job : result) {
-      job.output = output / (job.input.stem().string() + "." + textOf(arguments.format));
-    }
+  const bool isFolder = output.extension().empty() || fs::is_directory(output, error);
+  if (!isFolder && result.front().part) chooseOne(result, only, output);
+  if (isFolder || result.size() > 1) {
+    for (Job& job : result) job.output = output / (job.stem() + "." + extensionOf(job, arguments));
   }
   return result;
 }
@@ -111,7 +156,8 @@ void requireUsable(const std::vector<Job>& all, const ExportArguments& arguments
                    const CommonOptions& common) {
   std::vector<fs::path> outputs;
   for (const Job& job : all) {
-    if (job.isTree && (arguments.units != LengthUnit::Mm || arguments.frame != Frame::Lps)) {
+    if (job.isTree && !job.part &&
+        (arguments.units != LengthUnit::Mm || arguments.frame != Frame::Lps)) {
       throw InvalidOption(
           "trees are always written in LPS and mm, so --units and --frame do not go with '" +
           job.input.string() + "'");
@@ -127,6 +173,8 @@ void requireUsable(const std::vector<Job>& all, const ExportArguments& arguments
         job.output.parent_path() == common.output && !fs::exists(common.output, error);
     if (folderComes) {
       requireOutput(common.output, common.existing());  // the folder itself can be made
+    } else if (job.isOther()) {
+      requireOutput(job.output, common.existing());
     } else if (job.isTree) {
       requireTreeOutput(job.output, common.existing());
     } else {
@@ -138,14 +186,28 @@ void requireUsable(const std::vector<Job>& all, const ExportArguments& arguments
 /// Returns what reading the input had to convert or leave out.
 std::vector<std::string> run(const Job& job, const ExportArguments& arguments,
                              const std::vector<Lobe>& only) {
+  if (job.isOther()) {
+    job.part->write(job.output);
+    return {};
+  }
   if (job.isTree) {
-    TreeFile file = readTree(job.input);
+    TreeFile file;
+    if (job.part) {
+      file.tree = *job.part->tree;
+    } else {
+      file = readTree(job.input);
+    }
     AirwayTree tree = scaled(file.tree, millimetresIn(arguments.fromUnits));
     if (!only.empty()) tree = onlyLobes(tree, only);
     writeTree(job.output, tree, file.metadata);
     return std::move(file.notes);
   }
-  SurfaceFile file = readSurface(job.input);
+  SurfaceFile file;
+  if (job.part) {
+    file.mesh = *job.part->mesh;
+  } else {
+    file = readSurface(job.input);
+  }
   const double factor = millimetresIn(arguments.fromUnits) / millimetresIn(arguments.units);
   TriangleMesh mesh = scaled(std::move(file.mesh), factor);
   const bool turn = arguments.frame == Frame::Ras;
@@ -157,9 +219,10 @@ std::vector<std::string> run(const Job& job, const ExportArguments& arguments,
 ExitCode runExport(const ExportArguments& arguments, const CommonOptions& common,
                    const Progress& progress) {
   const std::vector<Lobe> only = parsedLobes(arguments.only);
-  const std::vector<Job> all = jobs(arguments, only, common.output);
+  const std::vector<Job> all =
+      jobs(arguments, only, common.output, progress.part(0.0, 0.5, "reading"));
   requireUsable(all, arguments, common);
-  const Progress exporting = progress.part(0.0, 1.0, "exporting");
+  const Progress exporting = progress.part(0.5, 1.0, "exporting");
   OutputSet outputs;
   std::vector<std::string> notes;
   std::string text;
@@ -183,7 +246,7 @@ ExitCode runExport(const ExportArguments& arguments, const CommonOptions& common
 
 Run declareExport(CLI::App& app, CommonOptions& common) {
   const auto arguments = std::make_shared<ExportArguments>();
-  addFiles(app, "INPUTS", arguments->inputs, "Surfaces, trees, or folders of surfaces.")
+  addFiles(app, "INPUTS", arguments->inputs, "Surfaces, trees, folders of surfaces, or projects.")
       ->required();
   addOutput(app, common, "FILE",
             "The output: a file for one input, its format by the extension; a folder for several.")

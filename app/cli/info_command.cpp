@@ -10,6 +10,7 @@
 #include "cli/ct_report.h"
 #include "cli/files.h"
 #include "cli/mesh_report.h"
+#include "cli/project_report.h"
 #include "cli/text.h"
 #include "io/ct_file.h"
 #include "io/surface_file.h"
@@ -143,6 +144,17 @@ FileInfo ctInfo(const std::filesystem::path& path, bool identifiers, std::vector
   return info;
 }
 
+FileInfo projectInfo(const std::filesystem::path& path, const Progress& progress) {
+  const Project project = readProject(path, progress);
+  FileInfo info;
+  info.json = {{"path", path.string()}};
+  info.json.update(projectJson(project));
+  info.text = path.string() + ": Pneuma project" +
+              (project.state.name.empty() ? "" : " of " + project.state.name) + "\n" +
+              projectText(project);
+  return info;
+}
+
 /// CTs as they are, folders replaced by the surfaces and trees in them; of a folder that holds
 /// both, both.
 std::vector<std::filesystem::path> opened(const std::vector<std::filesystem::path>& paths) {
@@ -171,7 +183,10 @@ ExitCode runInfo(const std::vector<std::filesystem::path>& paths, bool identifie
     const double from = static_cast<double>(i) / static_cast<double>(files.size());
     const double to = static_cast<double>(i + 1) / static_cast<double>(files.size());
     FileInfo info;
-    if (isCtPath(files[i])) {
+    if (isProjectFileName(files[i])) {
+      if (common.json) inputs.push_back(inputFile(files[i], progress.part(from, to, "hashing")));
+      info = projectInfo(files[i], progress.part(from, to, "opening"));
+    } else if (isCtPath(files[i])) {
       info = ctInfo(files[i], identifiers, common.json ? &inputs : nullptr,
                     progress.part(from, to, "reading"));
     } else {
@@ -198,7 +213,8 @@ Run declareInfo(CLI::App& app, CommonOptions& common) {
   const auto files = std::make_shared<std::vector<std::filesystem::path>>();
   const auto identifiers = std::make_shared<bool>(false);
   addFiles(app, "FILES", *files,
-           "Surfaces, trees, CTs (DICOM, zipped DICOM, NIfTI, NRRD, MHA), or folders of them.")
+           "Surfaces, trees, CTs (DICOM, zipped DICOM, NIfTI, NRRD, MHA), folders of them, or "
+           "projects.")
       ->required();
   app.add_flag("--phi", *identifiers,
                "Also print the names of people and places that DICOM holds.");

@@ -37,7 +37,7 @@ LungModel openedCt(const LobesArguments& arguments, const Progress& progress) {
   CtFile file = readCt(arguments.ct, {}, progress.part(0.0, 0.8, "reading the CT"));
   if (arguments.snap) requireThinSlices(file.image);
   const InputFile input = ctInput(arguments.ct, file, progress.part(0.8, 1.0, "hashing"));
-  LungModel model = modelOf(std::move(file), arguments.ct);
+  LungModel model = modelOf(std::move(file), {arguments.ct, {}, {}, 0, {}});
   model.inputs = {input};
   return model;
 }

@@ -6,6 +6,7 @@
 #include "cli/files.h"
 #include "cli/text.h"
 #include "pipeline/report.h"
+#include "pipeline/run_project.h"
 #include "pipeline/run_recipe.h"
 
 namespace pneuma::cli {
@@ -17,6 +18,7 @@ struct RunArguments {
   std::string from;
   std::string upTo;
   bool dryRun = false;
+  bool packCt = false;
 };
 
 /// @throws InvalidOption naming the nearest stage
@@ -77,6 +79,36 @@ std::string tableOf(const std::vector<StageResult>& results) {
   return table(rows);
 }
 
+/// Everything into one project in place of a folder.
+std::vector<StageResult> runIntoProject(const Recipe& recipe, const RunArguments& arguments,
+                                        const RunOptions& options, const Progress& progress) {
+  if (options.dryRun || options.anew) {
+    throw InvalidOption(
+        "a project is made in one go: --from and --dry-run need a folder as --output");
+  }
+  requireOutput(options.folder, options.existing);
+  if (recipe.ct.empty()) throw InvalidInput("the recipe names no CT under \"open\": \"ct\"");
+  requireOtherThanInputs(options.folder, {&recipe.ct, 1});
+  std::vector<StageResult> results;
+  Project project = projectOfRecipe(recipe, options.upTo, results, progress.part(0.0, 0.9, ""));
+  if (arguments.packCt) project.ctStorage = CtStorage::Packed;
+  writeProject(options.folder, project, progress.part(0.9, 1.0, "saving the project"));
+  results.back().files.push_back(options.folder.filename().string());
+  return results;
+}
+
+ExitCode report(const Recipe& recipe, const std::vector<StageResult>& results,
+                const CommonOptions& common) {
+  const Json report = reportOf(recipe, results);
+  if (!common.quiet) printWarnings(report.at("warnings").get<std::vector<std::string>>());
+  if (common.json) {
+    std::cout << jsonText(report);
+  } else if (!common.quiet) {
+    std::cout << tableOf(results);
+  }
+  return ExitCode::Done;
+}
+
 ExitCode runRun(const RunArguments& arguments, const CommonOptions& common,
                 const Progress& progress) {
   if (arguments.recipe.empty() && arguments.ct.empty()) {
@@ -94,6 +126,12 @@ ExitCode runRun(const RunArguments& arguments, const CommonOptions& common,
     options.anew = true;
   }
   options.existing = common.existing();
+  if (isProjectFileName(options.folder)) {
+    return report(recipe, runIntoProject(recipe, arguments, options, progress), common);
+  }
+  if (arguments.packCt) {
+    throw InvalidOption("--pack-ct puts the CT into a project: end --output in .pneuma");
+  }
   std::error_code ignored;
   if (std::filesystem::exists(options.folder, ignored) &&
       !std::filesystem::is_directory(options.folder, ignored)) {
@@ -101,15 +139,7 @@ ExitCode runRun(const RunArguments& arguments, const CommonOptions& common,
                        "' is a file; --output of run names a folder");
   }
   const MadeFolder folder(options.folder);
-  const std::vector<StageResult> results = runRecipe(recipe, options, progress);
-  const Json report = reportOf(recipe, results);
-  if (!common.quiet) printWarnings(report.at("warnings").get<std::vector<std::string>>());
-  if (common.json) {
-    std::cout << jsonText(report);
-  } else if (!common.quiet) {
-    std::cout << tableOf(results);
-  }
-  return ExitCode::Done;
+  return report(recipe, runRecipe(recipe, options, progress), common);
 }
 
 }  // namespace
@@ -120,9 +150,11 @@ Run declareRun(CLI::App& app, CommonOptions& common) {
                  "What to do with the options of every stage, as JSON; without it the defaults.")
       ->type_name("FILE");
   app.add_option("--ct", arguments->ct, "The CT, instead of the recipe's.")->type_name("PATH");
-  app.add_option("-o,--output", common.output,
-                 "The folder for labels, surfaces, airways, tree and reports.")
-      ->type_name("FOLDER")
+  app.add_option(
+         "-o,--output", common.output,
+         "The folder for labels, surfaces, airways, tree and reports; or a project (.pneuma), "
+         "which holds everything.")
+      ->type_name("FOLDER|FILE")
       ->required();
   app.add_flag("-f,--force", common.force,
                "Replace files in the folder that no run left, or that were changed.");
@@ -131,6 +163,8 @@ Run declareRun(CLI::App& app, CommonOptions& common) {
   app.add_option("--up-to", arguments->upTo, "Stop after this stage.")
       ->type_name(choiceType(choices(Stage{})));
   app.add_flag("--dry-run", arguments->dryRun, "Only say which stages would be done.");
+  app.add_flag("--pack-ct", arguments->packCt,
+               "Put the CT into the project too; without it the project has a link to it.");
   addJson(app, common);
   return [arguments, &common](const Progress& progress) {
     return runRun(*arguments, common, progress);

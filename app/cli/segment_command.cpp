@@ -89,7 +89,8 @@ ExitCode runSegment(const SegmentArguments& arguments, const CommonOptions& comm
   if (common.json || !arguments.report.empty()) {
     inputs.push_back(ctInput(arguments.input, file, progress.part(0.15, 0.2, "hashing")));
   }
-  LungModel model = modelOf(std::move(file), arguments.input);
+  LungModel model = modelOf(
+      std::move(file), {arguments.input, arguments.corrections, arguments.series.wanted, 0, {}});
   model.inputs = std::move(inputs);
   const double readSeconds = secondsSince(start);
   model = arguments.surfaces.empty()

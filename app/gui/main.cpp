@@ -3,13 +3,16 @@
 #include <QTimer>
 #include <cstdio>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "core/error.h"
+#include "document/recovery.h"
 #include "pipeline/report.h"
 #include "scripting.h"
 #include "widgets/application.h"
+#include "widgets/dialogs.h"
 #include "widgets/main_window.h"
 
 namespace {
@@ -17,6 +20,7 @@ namespace {
 using namespace pneuma;
 
 constexpr const char* ThemeKey = "theme";
+constexpr const char* RecentKey = "recent";
 
 bool hasDisplay() {
 #ifdef Q_OS_UNIX
@@ -41,8 +45,8 @@ struct CommandLine {
     play.setFlags(QCommandLineOption::HiddenFromHelp);
     screenshots.setFlags(QCommandLineOption::HiddenFromHelp);
     parser.addOptions({help, version, theme, play, screenshots});
-    parser.addPositionalArgument("FILE", "Surfaces, folders and airway trees to open.",
-                                 "[FILE...]");
+    parser.addPositionalArgument(
+        "FILE", "A project, a CT, surfaces, folders and airway trees to open.", "[FILE...]");
   }
 };
 
@@ -73,11 +77,28 @@ int runWindow(const CommandLine& line) {
   QObject::connect(&window, &MainWindow::themeChosen, [&](ThemeName name) {
     if (!playing) settings.setValue(ThemeKey, name == ThemeName::Light ? "light" : "dark");
   });
+  if (!playing) window.setRecent(settings.value(RecentKey).toStringList());
+  QObject::connect(&window, &MainWindow::recentChanged, [&](const QStringList& paths) {
+    if (!playing) settings.setValue(RecentKey, paths);
+  });
+  // What was lost is offered before anything else is kept. Not to scripts, unless they say where.
+  std::unique_ptr<Recovery> recovery;
+  std::vector<LostWork> lost;
+  const std::filesystem::path kept = Recovery::usualFolder();
+  if (!kept.empty() && (!playing || qEnvironmentVariableIsSet("XDG_STATE_HOME"))) {
+    lost = Recovery::lostWork(kept);
+    recovery = std::make_unique<Recovery>(window.document(), kept);
+  }
   window.resize(1600, 1000);
   window.show();
   std::vector<std::filesystem::path> files;
   for (const QString& file : line.parser.positionalArguments())
     files.emplace_back(file.toStdString());
+  if (!lost.empty()) {
+    offerRecovery(
+        &window, lost.front().when, [&] { recovery->recover(lost.front()); },
+        [&] { Recovery::throwAway(lost.front()); });
+  }
   window.open(std::move(files));
   if (playing) {
     QTimer::singleShot(0, &window, [&] {

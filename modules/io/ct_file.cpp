@@ -8,6 +8,7 @@
 #include "core/parallel.h"
 #include "io/detail/dicom_pixels.h"
 #include "io/detail/text_fields.h"
+#include "io/member_archive.h"
 #include "io/volume_file.h"
 
 namespace pneuma {
@@ -161,7 +162,10 @@ HuCheck huCheck(const CtImage& image) {
   return check;
 }
 
-bool isCtPath(const fs::path& path) { return isVolumeFile(path) || isDicomPath(path); }
+bool isCtPath(const fs::path& path) {
+  // A project is a zip archive, too.
+  return !isProjectFileName(path) && (isVolumeFile(path) || isDicomPath(path));
+}
 
 const DicomSeries& chosenSeries(const std::vector<DicomSeries>& all, const SeriesChoice& choice) {
   if (choice.wanted.empty()) {

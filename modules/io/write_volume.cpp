@@ -51,7 +51,7 @@ void write(const std::filesystem::path& path, const Image<T>& image, Existing ex
     file.commit();
   } else if (extension.ends_with(".nrrd")) {
     AtomicFile file(path, existing);
-    file.write(nrrdHead(geometry, stored));
+    file.write(nrrdHead(geometry, stored, "gzip"));
     writePacked(file, Wrapper::Gzip, {}, bytes, progress);
     file.commit();
   } else if (extension.ends_with(".mha")) {

@@ -26,9 +26,10 @@ InputFile ctInput(const std::filesystem::path& path, const CtFile& file, const P
   return {path.string(), sha256(hashes)};
 }
 
-LungModel modelOf(CtFile file, const std::filesystem::path& path) {
+LungModel modelOf(CtFile file, CtSource source) {
   LungModel model;
-  model.inputs.push_back({path.string(), ""});
+  model.inputs.push_back({source.path.string(), ""});
+  model.ctSource = std::make_shared<const CtSource>(std::move(source));
   model.warnings = std::move(file.warnings);
   model.ct = std::make_shared<const CtImage>(std::move(file.image));
   return model;
@@ -36,7 +37,7 @@ LungModel modelOf(CtFile file, const std::filesystem::path& path) {
 
 LungModel openCt(const std::filesystem::path& path, const CtCorrections& corrections,
                  const Progress& progress) {
-  return modelOf(readCt(path, corrections, progress), path);
+  return modelOf(readCt(path, corrections, progress), {path, corrections, {}, 0, {}});
 }
 
 LungModel withCt(const LungModel& model, const LungModel& ct, const std::filesystem::path& labels,
@@ -45,6 +46,7 @@ LungModel withCt(const LungModel& model, const LungModel& ct, const std::filesys
       labels.empty() ? withLungs(ct, {}, progress) : withLabels(ct, labels, progress);
   LungModel result = model;
   result.ct = opened.ct;
+  result.ctSource = opened.ctSource;
   result.labels = opened.labels;
   result.inputs.insert(result.inputs.end(), opened.inputs.begin(), opened.inputs.end());
   result.warnings.insert(result.warnings.end(), opened.warnings.begin(), opened.warnings.end());
@@ -55,6 +57,7 @@ LungModel withLungs(const LungModel& model, const LungOptions& options, const Pr
   if (!model.ct) throw InvalidInput("there is no CT to find lungs in; open one first");
   LungModel result;
   result.ct = model.ct;
+  result.ctSource = model.ctSource;
   result.inputs = model.inputs;
   result.warnings = model.warnings;
   result.readSeconds = model.readSeconds;

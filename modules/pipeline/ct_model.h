@@ -25,8 +25,8 @@ InputFile ctInput(const std::filesystem::path& path, const CtFile& file,
 LungModel withCt(const LungModel& model, const LungModel& ct, const std::filesystem::path& labels,
                  const Progress& progress = {});
 
-/// The model of a CT that was read already. @param path for the record
-LungModel modelOf(CtFile file, const std::filesystem::path& path);
+/// The model of a CT that was read already. @param source how, for the record
+LungModel modelOf(CtFile file, CtSource source);
 
 /// The same with lungs and central airways found in its CT. What was grown before is gone.
 /// @throws InvalidInput if there is no CT; as segmentLungs()

@@ -15,6 +15,7 @@
 #include "io/volume_file.h"
 #include "pipeline/ct_model.h"
 #include "pipeline/lobe_parts.h"
+#include "pipeline/project.h"
 
 namespace pneuma {
 namespace {
@@ -125,9 +126,23 @@ void addCt(LungModel& model, const fs::path& path, const Progress& progress) {
   const auto start = std::chrono::steady_clock::now();
   const LungModel read = openCt(path, {}, progress);
   model.ct = read.ct;
+  model.ctSource = read.ctSource;
   model.inputs.insert(model.inputs.end(), read.inputs.begin(), read.inputs.end());
   model.warnings.insert(model.warnings.end(), read.warnings.begin(), read.warnings.end());
   model.readSeconds += secondsSince(start);
+}
+
+LungModel modelOfProject(std::span<const fs::path> paths, const Progress& progress) {
+  if (paths.size() > 1) {
+    throw InvalidInput("a project is opened alone, without " +
+                       quoted(isProjectFileName(paths[0]) ? paths[1] : paths[0]) +
+                       "; 'pneuma export' makes files of what is in it");
+  }
+  Project project = readProject(paths[0], progress);
+  LungModel& model = project.state.model;
+  model.inputs = {inputFile(paths[0])};
+  model.warnings.insert(model.warnings.end(), project.notes.begin(), project.notes.end());
+  return std::move(model);
 }
 
 void addLabels(LungModel& model, const fs::path& path, const Progress& progress) {
@@ -156,6 +171,7 @@ std::shared_ptr<const AirwayTree> treeOf(const LungModel& model) {
 }
 
 LungModel openLobes(std::span<const fs::path> paths, const Progress& progress) {
+  if (std::ranges::any_of(paths, isProjectFileName)) return modelOfProject(paths, progress);
   const auto start = std::chrono::steady_clock::now();
   const std::vector<fs::path> files = expanded(paths);
   if (files.empty()) throw InvalidInput("there is no surface to open");
@@ -232,6 +248,7 @@ LungModel withLabels(const LungModel& model, const fs::path& path, const Progres
 }
 
 LungModel openFiles(std::span<const fs::path> paths, const Progress& progress) {
+  if (std::ranges::any_of(paths, isProjectFileName)) return modelOfProject(paths, progress);
   std::vector<fs::path> surfaces;
   std::vector<fs::path> trees;
   std::vector<fs::path> cts;

@@ -14,6 +14,7 @@
 #include "core/triangle_mesh.h"
 #include "geometry/mesh_doctor.h"
 #include "growth/growth.h"
+#include "io/ct_corrections.h"
 #include "segmentation/lung_segmentation.h"
 
 namespace pneuma {
@@ -24,6 +25,15 @@ struct LobesOfLungs;
 struct InputFile {
   std::string path;
   std::string sha256;
+};
+
+/// Where a CT came from, so that it can be read again.
+struct CtSource {
+  std::filesystem::path path;
+  CtCorrections corrections;
+  std::string series;       ///< SeriesChoice::wanted
+  std::uint64_t bytes = 0;  ///< of its files; 0 until somebody asked
+  std::string sha256;       ///< of their content; empty likewise
 };
 
 /// A lobe's (or lung's) closed surface.
@@ -48,6 +58,7 @@ struct Growth {
 /// worker needs no lock, undo keeps the value before.
 struct LungModel {
   std::shared_ptr<const CtImage> ct;              ///< null where no CT is open
+  std::shared_ptr<const CtSource> ctSource;       ///< of the CT, also where it was not found again
   std::shared_ptr<const LabelImage> labels;       ///< lungs and airways in it; null until found
   std::shared_ptr<const LungSegmentation> lungs;  ///< how they were found; null if labels were read
   std::shared_ptr<const std::vector<LobeSurface>> surfaces;  ///< null for a built-in organ
@@ -56,10 +67,12 @@ struct LungModel {
                                                            ///< were split; null if they were not
   std::shared_ptr<const LobesOfLungs> lobes;               ///< how they were split; null likewise
   std::shared_ptr<const std::vector<LobeRegion>> regions;  ///< null until growth needs them
-  std::shared_ptr<const AirwayTree> central;               ///< null if there are no airways yet
-  std::shared_ptr<const Growth> growth;                    ///< null until grown
-  std::shared_ptr<const AirwayTree> opened;  ///< a tree that was opened to be looked at
-  EfficiencyCubes cubes;                     ///< in which the paper's C_n is counted
+  std::string organ;  ///< whose regions they are, by its name; empty if not of a built-in organ's
+                      ///< own size
+  std::shared_ptr<const AirwayTree> central;  ///< null if there are no airways yet
+  std::shared_ptr<const Growth> growth;       ///< null until grown
+  std::shared_ptr<const AirwayTree> opened;   ///< a tree that was opened to be looked at
+  EfficiencyCubes cubes;                      ///< in which the paper's C_n is counted
   std::vector<InputFile> inputs;
   std::vector<std::string> warnings;  ///< whole sentences for the user
   double readSeconds = 0.0;
@@ -69,7 +82,7 @@ struct LungModel {
 std::shared_ptr<const AirwayTree> treeOf(const LungModel& model);
 
 /// Reads lobe surfaces: files, or folders with files whose names carry rul, rml, rll, lul, lll; or
-/// one surface of any name. Every surface is examined.
+/// one surface of any name. Every surface is examined. Or a project alone.
 /// @throws InputMissing, InvalidInput (two files for one lobe, a surface not fit to grow in, units)
 LungModel openLobes(std::span<const std::filesystem::path> paths, const Progress& progress = {});
 
@@ -85,7 +98,8 @@ LungModel withLabels(const LungModel& model, const std::filesystem::path& path,
                      const Progress& progress = {});
 
 /// What a person drops on the window: a CT, its labels (a volume of single bytes), surfaces,
-/// folders and trees in any order. Trees with grown branches become `opened`, others `central`.
+/// folders and trees in any order. Trees with grown branches become `opened`, others `central`. Or
+/// a project alone.
 LungModel openFiles(std::span<const std::filesystem::path> paths, const Progress& progress = {});
 
 /// The seed of everything random in a growth.

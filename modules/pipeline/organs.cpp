@@ -89,6 +89,7 @@ LungModel openOrgan(std::string_view name, const OrganOptions& options) {
   if (!options.airwayTable.empty()) {
     model.inputs.push_back({options.airwayTable.string(), sha256(readFile(options.airwayTable))});
   }
+  if (options.airwayTable.empty() && options.sizeMl == 0.0) model.organ = name;
   return model;
 }
 

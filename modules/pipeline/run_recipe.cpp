@@ -12,6 +12,7 @@
 #include "io/tree_file.h"
 #include "io/volume_file.h"
 #include "pipeline/ct_model.h"
+#include "pipeline/ct_source.h"
 #include "pipeline/detail/run_folder.h"
 #include "pipeline/detail/run_lobes.h"
 #include "pipeline/lobe_files.h"
@@ -23,19 +24,6 @@
 
 namespace pneuma {
 namespace {
-
-/// One hash of the files of a CT with their names.
-std::string contentHash(const std::vector<std::filesystem::path>& files, const Progress& progress) {
-  std::string all;
-  for (std::size_t n = 0; n < files.size(); ++n) {
-    const auto part = [&](std::size_t done) {
-      return static_cast<double>(done) / static_cast<double>(files.size());
-    };
-    all += files[n].filename().string() + "\n" +
-           sha256OfFile(files[n], progress.part(part(n), part(n + 1), "hashing"));
-  }
-  return sha256(all);
-}
 
 class Runner {
  public:
@@ -115,7 +103,8 @@ class Runner {
                          recipe_.series);
     if (splits() && recipe_.lobes.snap) requireThinSlices(file.image);
     result.warnings = file.warnings;
-    model_ = modelOf(std::move(file), recipe_.ct);
+    model_ = modelOf(std::move(file),
+                     {recipe_.ct, recipe_.corrections, recipe_.series.wanted, 0, {}});
     model_.inputs = {{recipe_.ct.string(), content}};
     result.seconds = secondsSince(start);
     return result;

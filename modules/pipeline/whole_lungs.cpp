@@ -165,7 +165,7 @@ LungModel openLungs(std::span<const fs::path> paths, const LungLabelOptions& lab
     } else {
       CtFile file = readCt(paths[0], {}, progress.part(0.0, 0.2, "reading"));
       const InputFile input = ctInput(paths[0], file, progress.part(0.2, 0.25, "hashing"));
-      model = modelOf(std::move(file), paths[0]);
+      model = modelOf(std::move(file), {paths[0], {}, {}, 0, {}});
       model.inputs = {input};
       model = withLungs(model, {}, progress.part(0.25, 0.7, "finding the lungs"));
       model = withSurfaces(model, {}, progress.part(0.7, 0.8, "drawing surfaces"));

@@ -12,6 +12,7 @@
 #include "io/atomic_file.h"
 #include "io/ct_file.h"
 #include "io/detail/unzipped.h"
+#include "io/lying_zip.h"
 #include "io/temp_folder.h"
 #include "support/dicom_maker.h"
 
@@ -122,46 +123,20 @@ TEST(BadZip, SwellsBeyondMeasure) {
               HasSubstr("would swell to 200 MB"));
 }
 
-/// A number of `size` bytes, little endian.
-std::string little(std::uint64_t number, int size) {
-  std::string bytes;
-  for (int i = 0; i < size; ++i) bytes += static_cast<char>(number >> 8 * i & 0xFF);
-  return bytes;
-}
-
-/// An archive of empty entries that say they unpack to `size` bytes each (zip64).
-std::string lyingZip(int entries, std::uint64_t size) {
-  std::string file;
-  std::string directory;
-  for (int i = 0; i < entries; ++i) {
-    const std::string name = std::to_string(i) + ".dcm";
-    const std::string extra = little(1, 2) + little(16, 2) + little(size, 8) + little(2, 8);
-    // version, flags, deflate, time and date, CRC, both sizes in the extra field
-    const std::string common = little(45, 2) + little(0, 2) + little(8, 2) + little(0, 4) +
-                               little(0, 4) + little(0xFFFFFFFF, 4) + little(0xFFFFFFFF, 4) +
-                               little(name.size(), 2) + little(extra.size(), 2);
-    directory += "PK\1\2" + little(45, 2) + common + little(0, 2) + little(0, 2) + little(0, 2) +
-                 little(0, 4) + little(file.size(), 4) + name + extra;
-    file += "PK\3\4" + common + name + extra + std::string("\3\0", 2);
-  }
-  const auto count = static_cast<std::uint64_t>(entries);
-  return file + directory + "PK\5\6" + little(0, 4) + little(count, 2) + little(count, 2) +
-         little(directory.size(), 4) + little(file.size(), 4) + little(0, 2);
-}
-
 TEST(BadZip, StatesSizesWhoseSumIsTooLargeToHold) {
   const TempFolder folder;
   constexpr std::uint64_t Largest = std::numeric_limits<std::int64_t>::max();
   // Three of them come to 2^63 - 3 where 64 bits wrap, four to less than nothing.
   for (const int entries : {1, 2, 3, 4}) {
-    EXPECT_THAT(refusal(folder.put("bomb.zip", lyingZip(entries, Largest)), ExitCode::InputInvalid),
+    EXPECT_THAT(refusal(folder.put("bomb.zip", testing::lyingZip(entries, Largest)),
+                        ExitCode::InputInvalid),
                 HasSubstr("would swell to 8796093022207 MB or more"))
         << entries;
   }
   // 2^64 in four entries: nothing, if it wraps.
-  EXPECT_THAT(
-      refusal(folder.put("bomb.zip", lyingZip(4, std::uint64_t{1} << 62)), ExitCode::InputInvalid),
-      HasSubstr("would swell to"));
+  EXPECT_THAT(refusal(folder.put("bomb.zip", testing::lyingZip(4, std::uint64_t{1} << 62)),
+                      ExitCode::InputInvalid),
+              HasSubstr("would swell to"));
 }
 
 /// Puts another archive in the place of the first as soon as its entries have been looked at.

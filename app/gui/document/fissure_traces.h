@@ -3,8 +3,8 @@
 #include <map>
 #include <memory>
 
-#include "document/lobe_edits.h"
 #include "pipeline/fissure_tracing.h"
+#include "pipeline/lobe_edits.h"
 
 namespace pneuma {
 

@@ -1,27 +1,20 @@
 #pragma once
 
 #include <QString>
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <vector>
 
 #include "document/fissure_traces.h"
-#include "document/lobe_edits.h"
 #include "document/tree_figures.h"
+#include "pipeline/lobe_edits.h"
 #include "pipeline/lung_model.h"
 #include "pipeline/lung_shape.h"
 
 namespace pneuma {
 
 struct Breath;
-
-/// That somebody looked at a fissure as it was then.
-struct FissureReview {
-  LobeEdits edits;       ///< what was looked at
-  bool skipped = false;  ///< accepted without looking at its stations
-
-  bool operator==(const FissureReview&) const = default;
-};
 
 /// Everything the window shows at one moment. A copy costs a few pointers, so undo keeps whole
 /// ones.
@@ -38,6 +31,7 @@ struct Snapshot {
   std::map<Fissure, FissureReview> reviews{};
   std::shared_ptr<const std::vector<LobeSurface>> grownIn{};  ///< the surfaces of model.growth
   std::shared_ptr<const Breath> breath{};  ///< of the surfaces and the tree; null: none yet
+  std::uint64_t revision = 0;              ///< another one for every other state of the work
 };
 
 /// A snapshot of `model` with the figures of its tree and its whole lungs.

@@ -5,11 +5,9 @@
 #include <cstdlib>
 #include <fstream>
 
-#include <archive.h>
-#include <archive_entry.h>
-
 #include "core/error.h"
 #include "io/detail/text_fields.h"
+#include "io/detail/zip_reading.h"
 
 namespace pneuma {
 namespace {
@@ -22,76 +20,12 @@ constexpr std::uint64_t MostSwelling = 200;
 constexpr std::uint64_t FreeSwelling = std::uint64_t{64} << 20;
 constexpr std::size_t BlockSize = std::size_t{1} << 18;
 
-struct CloseArchive {
-  void operator()(archive* handle) const { archive_read_free(handle); }
-};
-
-using Archive = std::unique_ptr<archive, CloseArchive>;
-
-[[noreturn]] void throwDamaged(const fs::path& path, archive* handle, const std::string& name) {
-  const char* reason = archive_error_string(handle);
-  const std::string text = reason == nullptr ? "" : reason;
-  const std::string where = "the archive " + quoted(path);
-  if (lowerCase(text).find("encrypt") != std::string::npos ||
-      lowerCase(text).find("passphrase") != std::string::npos) {
-    throw Unsupported(where + " is protected by a password; unpack it first");
-  }
-  throw InvalidInput(where + " is damaged" + (name.empty() ? "" : " at " + quotedName(name)) +
-                     (text.empty() ? "" : " (" + text + ")") + "; copy it again from its source");
-}
-
-Archive opened(const fs::path& path) {
-  if (!std::ifstream(path, std::ios::binary)) {
-    throw InputMissing("the archive " + quoted(path) + " cannot be read; check its permissions");
-  }
-  Archive handle(archive_read_new());
-  if (!handle) throw std::bad_alloc();
-  archive_read_support_format_zip_seekable(handle.get());
-  if (archive_read_open_filename(handle.get(), path.c_str(), BlockSize) != ARCHIVE_OK) {
-    throwDamaged(path, handle.get(), "");
-  }
-  return handle;
-}
-
-/// The next entry, nullptr at the end.
-archive_entry* nextEntry(const fs::path& path, archive* handle) {
-  archive_entry* entry = nullptr;
-  const int result = archive_read_next_header(handle, &entry);
-  if (result == ARCHIVE_EOF) return nullptr;
-  if (result != ARCHIVE_OK && result != ARCHIVE_WARN) throwDamaged(path, handle, "");
-  return entry;
-}
-
-std::string nameOf(archive_entry* entry, std::size_t number) {
-  const char* name = archive_entry_pathname_utf8(entry);
-  if (name == nullptr) name = archive_entry_pathname(entry);
-  return name == nullptr ? "entry " + std::to_string(number) : name;
-}
-
-bool isFile(archive_entry* entry) {
-  return archive_entry_filetype(entry) == AE_IFREG && archive_entry_hardlink(entry) == nullptr;
-}
-
-/// 0 where it is not stated, INT64_MAX at most.
-std::uint64_t statedSize(archive_entry* entry) {
-  return static_cast<std::uint64_t>(std::max<la_int64_t>(0, archive_entry_size(entry)));
-}
-
 /// The end of an archive's name that may go into a name of our own: none rather than a long one,
 /// which the disk may not take.
 std::string extensionOf(const std::string& name) {
   constexpr std::size_t Longest = 16;
   std::string extension = fs::path(name).extension().string();
   return extension.size() <= Longest ? extension : "";
-}
-
-bool leadsOut(const std::string& name) {
-  if (name.starts_with('/') || name.starts_with('\\') || (name.size() > 1 && name[1] == ':')) {
-    return true;
-  }
-  std::string forward = name;
-  std::ranges::replace(forward, '\\', '/');
-  return std::ranges::any_of(fs::path(forward), [](const fs::path& part) { return part == ".."; });
 }
 
 /// The folder for temporary files. @throws OutputFailed if there is none
@@ -124,22 +58,15 @@ std::uint64_t mostBytes(const fs::path& path) {
 
 /// Refuses what should not be unpacked, before a byte is.
 void requireHarmless(const fs::path& path, const Progress& progress) {
-  const Archive handle = opened(path);
+  const Archive handle = openedArchive(path);
   const std::uint64_t most = mostBytes(path);
   std::uint64_t total = 0;
   std::size_t count = 0;
   while (archive_entry* entry = nextEntry(path, handle.get())) {
     progress.throwIfStopped();
-    const std::string name = nameOf(entry, ++count);
-    if (leadsOut(name)) {
-      throw InvalidInput("the archive " + quoted(path) + " names " + quotedName(name) +
-                         ", a place outside of it; it was not unpacked");
-    }
-    if (archive_entry_is_encrypted(entry) != 0) {
-      throw Unsupported("the archive " + quoted(path) +
-                        " is protected by a password; unpack it first");
-    }
-    if (isFile(entry)) total += statedSize(entry);
+    const std::string name = entryName(entry, ++count);
+    requireHarmlessEntry(path, entry, name);
+    if (isFileEntry(entry)) total += statedSize(entry);
     // At every entry, so that no sum of sizes is too large for its type.
     if (total > most) throwSwollen(path, total);
     if (count > MostFiles) {
@@ -193,7 +120,7 @@ std::uint64_t unpackEntry(const fs::path& path, archive* handle, archive_entry* 
   const std::uint64_t stated = statedSize(entry);
   while (true) {
     const la_ssize_t size = archive_read_data(handle, block.data(), block.size());
-    if (size < 0) throwDamaged(path, handle, name);
+    if (size < 0) throwDamagedArchive(path, handle, name);
     if (size == 0) break;
     progress.throwIfStopped();
     written += static_cast<std::uint64_t>(size);
@@ -228,12 +155,12 @@ Unzipped unzipped(const fs::path& archive, const Progress& progress) {
   const auto folder = std::make_shared<const PrivateFolder>();
   Unzipped result;
   result.folder = folder;
-  const Archive handle = opened(archive);
+  const Archive handle = openedArchive(archive);
   std::uint64_t room = mostBytes(archive);
   std::size_t count = 0;
   while (archive_entry* entry = nextEntry(archive, handle.get())) {
-    const std::string name = nameOf(entry, ++count);
-    if (!isFile(entry)) continue;
+    const std::string name = entryName(entry, ++count);
+    if (!isFileEntry(entry)) continue;
     // Names of our own: those of the archive may clash, or mean something to the file system.
     const fs::path target = folder->path() / (std::to_string(count) + extensionOf(name));
     room -= unpackEntry(archive, handle.get(), entry, name, target, room, progress);

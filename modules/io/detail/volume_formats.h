@@ -62,7 +62,8 @@ struct StoredVoxels {
 // The bytes before the voxels. @throws Unsupported
 std::string niftiHead(const ImageGeometry& geometry, const StoredVoxels& voxels,
                       const std::string& name);
-std::string nrrdHead(const ImageGeometry& geometry, const StoredVoxels& voxels);
+std::string nrrdHead(const ImageGeometry& geometry, const StoredVoxels& voxels,
+                     const std::string& encoding);
 /// `packedBytes` takes the same room whatever it is, so that it can be filled in afterwards.
 std::string metaImageHead(const ImageGeometry& geometry, const StoredVoxels& voxels,
                           std::uint64_t packedBytes);

@@ -105,7 +105,8 @@ std::string niftiHead(const ImageGeometry& geometry, const StoredVoxels& voxels,
   return head;
 }
 
-std::string nrrdHead(const ImageGeometry& geometry, const StoredVoxels& voxels) {
+std::string nrrdHead(const ImageGeometry& geometry, const StoredVoxels& voxels,
+                     const std::string& encoding) {
   const Mat3 steps = geometry.steps();
   std::string directions;
   for (Eigen::Index axis = 0; axis < 3; ++axis) {
@@ -120,8 +121,8 @@ std::string nrrdHead(const ImageGeometry& geometry, const StoredVoxels& voxels) 
          std::string(voxels.scalar == Scalar::Uint8 ? "uint8" : "int16") +
          "\ndimension: 3\nspace: left-posterior-superior\nsizes: " + sizeText(geometry) +
          "\nspace directions:" + directions +
-         "\nkinds: domain domain domain\nendian: little\nencoding: gzip\nspace origin: (" +
-         joined(geometry.origin, ",") + ")\n\n";
+         "\nkinds: domain domain domain\nendian: little\nencoding: " + encoding +
+         "\nspace origin: (" + joined(geometry.origin, ",") + ")\n\n";
 }
 
 std::string metaImageHead(const ImageGeometry& geometry, const StoredVoxels& voxels,

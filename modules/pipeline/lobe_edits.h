@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "pipeline/lung_shape.h"
@@ -13,6 +14,10 @@ namespace pneuma {
 
 /// By what a fissure is given in the window.
 enum class FissureMethod { Points, Plane, Surface };
+
+constexpr auto choices(FissureMethod) {
+  return std::array<std::string_view, 3>{"points", "plane", "surface"};
+}
 
 /// One fissure as it was edited. What was done by the other method is kept.
 struct FissureEdit {
@@ -33,6 +38,14 @@ struct LobeEdits {
   bool snap = false;  ///< to what shows in the CT
 
   bool operator==(const LobeEdits&) const = default;
+};
+
+/// That somebody looked at a fissure as it was then.
+struct FissureReview {
+  LobeEdits edits;       ///< what was looked at
+  bool skipped = false;  ///< accepted without looking at its stations
+
+  bool operator==(const FissureReview&) const = default;
 };
 
 /// With fewer points a fissure is not given, and the proposal stays.

@@ -1,4 +1,4 @@
-#include "document/lobe_edits.h"
+#include "pipeline/lobe_edits.h"
 
 #include <algorithm>
 #include <cmath>

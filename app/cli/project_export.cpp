@@ -1,0 +1,65 @@
+#include "cli/project_export.h"
+
+#include <algorithm>
+#include <cctype>
+
+#include "core/error.h"
+#include "io/fissure_file.h"
+#include "io/surface_file.h"
+#include "io/volume_file.h"
+
+namespace pneuma::cli {
+namespace {
+
+std::string lowered(std::string_view text) {
+  std::string lower(text);
+  std::ranges::transform(lower, lower.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return lower;
+}
+
+/// With the surfaces that fissures are given by beside them.
+void writeGiven(const std::filesystem::path& file, GivenFissures given) {
+  for (auto& [fissure, one] : given) {
+    if (!one.patch) continue;
+    one.patch->file = file.parent_path() / (std::string(shortName(fissure)) + ".vtp");
+    writeSurface(one.patch->file, *one.patch->mesh);
+  }
+  writeFissures(file, given);
+}
+
+}  // namespace
+
+std::vector<ProjectPart> partsOfProject(const std::filesystem::path& path,
+                                        const Progress& progress) {
+  const Project project = readProject(path, progress);
+  const LungModel& model = project.state.model;
+  std::vector<ProjectPart> parts;
+  for (const auto& surfaces : {model.surfaces, model.wholeLungs}) {
+    if (!surfaces) continue;
+    for (const LobeSurface& surface : *surfaces) {
+      const std::string stem = lowered(shortName(surface.lobe));
+      if (std::ranges::find(parts, stem, &ProjectPart::stem) != parts.end()) continue;
+      parts.push_back({stem, surface.mesh, nullptr, {}, {}});
+    }
+  }
+  const auto tree = treeOf(model);
+  if (tree && tree != model.central) parts.push_back({"tree", nullptr, tree, {}, {}});
+  if (model.central) parts.push_back({"central", nullptr, model.central, {}, {}});
+  if (model.labels) {
+    parts.push_back({"labels", nullptr, nullptr, "labels.nii.gz",
+                     [labels = model.labels](const std::filesystem::path& file) {
+                       writeVolume(file, *labels);
+                     }});
+  }
+  if (const GivenFissures given = givenOf(project.state.lobeEdits); !given.empty()) {
+    parts.push_back({"fissures", nullptr, nullptr, "fissures.json",
+                     [given](const std::filesystem::path& file) { writeGiven(file, given); }});
+  }
+  if (parts.empty()) {
+    throw InputMissing("the project '" + path.string() + "' holds nothing to export yet");
+  }
+  return parts;
+}
+
+}  // namespace pneuma::cli

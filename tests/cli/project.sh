@@ -1,0 +1,75 @@
+#!/usr/bin/env bash
+# Projects: made by a run, told about, taken apart, taken as input, refused when they are bad.
+# Needs JSON_CHECK (json_check) and SCHEMAS (resources/schemas).
+. "$(dirname "$0")/lib.sh"
+
+keeps() { expect "the JSON breaks $1: $("$JSON_CHECK" "$SCHEMAS/$1.schema.json" "${2:-$logs/out}" 2>&1 | head -n 3)" \
+  "$JSON_CHECK" "$SCHEMAS/$1.schema.json" "${2:-$logs/out}"; }
+
+mkdir DOE_JANE
+succeeds "a CT" sample DOE_JANE/chest --ct --spacing 3 --thick 5 -q
+cat >recipe.json <<'END'
+{"schema": "pneuma/recipe/1", "open": {"ct": "DOE_JANE/chest/ct.nii.gz"},
+ "lungs": {"triangles": 6000}, "lobes": {"fissures": "DOE_JANE/chest/fissures.json", "smoothness": 0.5},
+ "airways": {"method": "centroid", "terminals": 300}}
+END
+succeeds "a recipe into a project" run recipe.json -o case.pneuma --json
+keeps run-report
+succeeds "what is in it" info case.pneuma
+prints 'Pneuma project of ct.nii.gz'
+prints '^ +CT +.*DOE_JANE/chest/ct.nii.gz'
+prints 'RUL, RML, RLL, LUL, LLL'
+prints '^ +airways +[0-9]+ branches, grown by centroid'
+succeeds "the same as JSON" info case.pneuma --json
+keeps info
+expect "the hash is not the file's" grep -q "$(sha256sum DOE_JANE/chest/ct.nii.gz | cut -c1-64)" "$logs/out"
+
+# Any program opens it: it is a zip archive.
+unpack() (mkdir "$2" && cd "$2" && cmake -E tar xf "../$1")
+expect "it is no sound zip archive" unpack case.pneuma raw
+keeps project raw/project.json
+expect "the options of the lobes are not in it" grep -q '"smoothness": 0.5' raw/project.json
+succeeds "a surface in it" info raw/surfaces/RUL.ply
+prints 'healthy'
+succeeds "labels in it" compare raw/labels/lungs-labels.nrrd raw/labels/lungs-labels.nrrd -q
+expect "the folder's name is elsewhere than in the link" \
+  test "$(grep -rl DOE_JANE raw | tr '\n' ' ')" = "raw/project.json "
+expect "the folder's name is in more than the link" test "$(grep -c DOE_JANE raw/project.json)" -eq 2
+
+succeeds "its parts" export case.pneuma -o parts --format stl -q
+for file in rul.stl rml.stl rll.stl lul.stl lll.stl right.stl left.stl tree.vtp central.vtp labels.nii.gz \
+  fissures.json; do
+  expect "no parts/$file" test -s "parts/$file"
+done
+succeeds "one lobe" export case.pneuma --only RML -o rml.ply -q
+expect "no rml.ply" test -s rml.ply
+succeeds "its tree" export case.pneuma -o tree.swc -q
+refuses "which surface" 2 'holds 7 things.*--only' export case.pneuma -o some.stl
+succeeds "growth in its lobes" grow case.pneuma --method centroid --set terminals=100 -o tree.vtp -q
+succeeds "breathing of it" breathe case.pneuma --frames 2 -o breath.pvd -q
+refuses "with another input" 4 'opened alone' breathe case.pneuma rml.ply -o other.pvd
+refuses "over one that is there" 6 '--force' run recipe.json -o case.pneuma
+refuses "from the airways on" 2 '--from' run recipe.json -o other.pneuma --from airways
+refuses "packed into a folder" 2 '--pack-ct' run recipe.json -o other --pack-ct
+succeeds "over one that is there, all the same" run recipe.json -o case.pneuma --up-to lungs --pack-ct --force -q
+expect "the one before was not kept" test -s case.pneuma~
+
+# The CT may go away where it is packed, and is missed where it is not.
+mv DOE_JANE gone
+succeeds "with its CT packed" info case.pneuma
+prints '^ +CT +packed in'
+cp case.pneuma~ before.pneuma
+succeeds "without its CT" info before.pneuma
+prints '! The CT .ct.nii.gz. is not where it was'
+
+head -c 2000 case.pneuma >cut.pneuma
+refuses "cut off" 4 'damaged' info cut.pneuma
+echo text >text.pneuma
+refuses "no archive" 4 'damaged' info text.pneuma
+refuses "absent" 3 'absent.pneuma' info absent.pneuma
+sed -i 's#pneuma/project/1#pneuma/project/9#' raw/project.json
+pack() (cd raw && cmake -E tar cf "../$1" --format=zip project.json)
+expect "cannot pack" pack newer.pneuma
+refuses "of a newer version" 5 'newer Pneuma.*update' info newer.pneuma
+
+finish
