@@ -55,7 +55,14 @@ std::string summary(const Json& report, const std::filesystem::path& output) {
                     ml(lung.at("least_ml")), ml(lung.at("most_ml"))});
   }
   if (report.contains("fit")) text += fitText(report.at("fit"));
-  return text + table(rows) + report.at("basis").get<std::string>() + "\n" + failedChecks(report);
+  text += table(rows);
+  if (report.contains("pleural_gap")) {
+    const Json& gap = report.at("pleural_gap");
+    text += "air around the " + gap.at("lung").get<std::string>() +
+            " lung: " + ml(gap.at("gap_ml")) + " within a chest wall of " +
+            ml(gap.at("chest_wall_rest_ml")) + "\n";
+  }
+  return text + report.at("basis").get<std::string>() + "\n" + failedChecks(report);
 }
 
 ExitCode runBreathe(BreatheArguments arguments, const CommonOptions& common,
@@ -90,7 +97,7 @@ ExitCode runBreathe(BreatheArguments arguments, const CommonOptions& common,
   const std::filesystem::path folder = common.output.parent_path();
   std::vector<std::filesystem::path> paths;
   for (const auto& file :
-       breathOutputs(common.output, arguments.options.frames, treeOf(model) != nullptr)) {
+       breathOutputs(common.output, arguments.options, treeOf(model) != nullptr)) {
     paths.push_back(folder / file);
   }
   if (!arguments.curve.empty()) {
