@@ -25,7 +25,7 @@ struct BreatheArguments {
   std::vector<std::string> stiffness;
   std::vector<std::string> emphysema;
   bool pictures = false;
-  PictureArguments look;
+  FrameArguments drawing;
 };
 
 std::filesystem::path tableBeside(const std::filesystem::path& picture) {
@@ -132,7 +132,7 @@ ExitCode runBreathe(BreatheArguments arguments, const CommonOptions& common,
     const auto write = [&](int frame, const Picture& picture) {
       writeFile(framePicture(common.output, frame), pngText(picture), common.existing());
     };
-    drawBreath(lungs, arguments.look, write, progress.part(0.85, 1.0, "drawing"));
+    drawBreath(lungs, arguments.drawing, write, progress.part(0.85, 1.0, "drawing"));
   }
   if (!arguments.curve.empty()) {
     writeFile(arguments.curve, pngText(breathPicture(lungs.cycle, measured)), common.existing());
@@ -174,10 +174,13 @@ Run declareBreathe(CLI::App& app, CommonOptions& common) {
   CLI::Option* pictures =
       app.add_flag("--pictures", arguments->pictures,
                    "Draw every frame too, beside it and from the same place (.png).");
-  for (CLI::Option* option :
-       addPictureArguments(app, arguments->look, "Width and height of the pictures in pixels.")) {
+  for (CLI::Option* option : addPictureArguments(app, arguments->drawing.look,
+                                                 "Width and height of the pictures in pixels.")) {
     option->needs(pictures);
   }
+  app.add_flag("--onion-skin", arguments->drawing.onionSkin,
+               "Draw where the lungs are at the ends of expiration and inspiration, too.")
+      ->needs(pictures);
   addOutput(app, common, "FILE",
             "The collection for ParaView (.pvd). Beside it: a VTP for every frame, of the airways "
             "too, a .vtp.series, the table of volumes and pressures (.csv) and the report (.json).")

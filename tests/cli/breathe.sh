@@ -102,6 +102,7 @@ expect "the air does not keep its volume" awk -F, '
   NR == 1 { for (i = 1; i <= NF; i++) if ($i == "pleural_gap_ml") c = i; next }
   NR == 2 { gap = $c }
   { if ($c < 100 || $c - gap > 1e-3 || gap - $c > 1e-3) exit 1 }' air.csv
+refuses "an onion skin without pictures" 2 'onion-skin requires --pictures' breathe lobes -o none.pvd --onion-skin
 refuses "a region without a factor" 2 'says no stiffness' breathe lobes -o none.pvd --stiffness LLL
 refuses "a region that is none" 2 'neither a lobe .* nor a ball' breathe lobes -o none.pvd --stiffness 1,2,3=5
 refuses "a region too stiff" 2 '0.01 to 100' breathe lobes -o none.pvd --stiffness LLL=1000
