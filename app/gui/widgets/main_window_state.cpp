@@ -46,7 +46,8 @@ void MainWindow::updateActions() {
                                 : tree ? tr("Save the tree that is shown")
                                        : tr("There is no tree to save yet"));
   actions_.savePicture->setEnabled(shown);
-  actions_.cancel->setEnabled(busy || branch_ || fissures_.placing() || review_.active());
+  actions_.cancel->setEnabled(busy || branch_ || fissures_.placing() || review_.active() ||
+                              regions_.placing() != RegionEditor::Placing::Nothing);
   actions_.undo->setEnabled(document_.canUndo());
   actions_.undo->setText(tr("&Undo %1").arg(document_.undoName()).trimmed());
   actions_.redo->setEnabled(document_.canRedo());
