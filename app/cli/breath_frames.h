@@ -13,9 +13,15 @@ namespace pneuma::cli {
 /// "breath.pvd" -> "breath_0007.png"
 std::filesystem::path framePicture(const std::filesystem::path& pvd, int frame);
 
+/// How frames of a breath are drawn.
+struct FrameArguments {
+  PictureArguments look;
+  bool onionSkin = false;  ///< the ends of expiration and inspiration, too
+};
+
 /// Draws every frame of a breath, all of them from the same place, and hands them on one by one.
 /// @throws NoRendering, Cancelled
-void drawBreath(const BreathingLungs& lungs, const PictureArguments& arguments,
+void drawBreath(const BreathingLungs& lungs, const FrameArguments& arguments,
                 const std::function<void(int frame, const Picture& picture)>& take,
                 const Progress& progress);
 

@@ -27,7 +27,7 @@ struct BreatheArguments {
   std::vector<std::string> stiffness;
   std::vector<std::string> emphysema;
   bool pictures = false;
-  PictureArguments look;
+  FrameArguments drawing;
 };
 
 std::filesystem::path tableBeside(const std::filesystem::path& picture) {
@@ -57,7 +57,14 @@ std::string summary(const Json& report, const std::filesystem::path& output) {
                     ml(lung.at("least_ml")), ml(lung.at("most_ml"))});
   }
   if (report.contains("fit")) text += fitText(report.at("fit"));
-  return text + table(rows) + report.at("basis").get<std::string>() + "\n" + failedChecks(report);
+  text += table(rows);
+  if (report.contains("pleural_gap")) {
+    const Json& gap = report.at("pleural_gap");
+    text += "air around the " + gap.at("lung").get<std::string>() +
+            " lung: " + ml(gap.at("gap_ml")) + " within a chest wall of " +
+            ml(gap.at("chest_wall_rest_ml")) + "\n";
+  }
+  return text + report.at("basis").get<std::string>() + "\n" + failedChecks(report);
 }
 
 ExitCode runBreathe(BreatheArguments arguments, const CommonOptions& common,
@@ -92,7 +99,7 @@ ExitCode runBreathe(BreatheArguments arguments, const CommonOptions& common,
   const std::filesystem::path folder = common.output.parent_path();
   std::vector<std::filesystem::path> paths;
   for (const auto& file :
-       breathOutputs(common.output, arguments.options.frames, treeOf(model) != nullptr)) {
+       breathOutputs(common.output, arguments.options, treeOf(model) != nullptr)) {
     paths.push_back(folder / file);
   }
   if (!arguments.curve.empty()) {
@@ -134,7 +141,7 @@ ExitCode runBreathe(BreatheArguments arguments, const CommonOptions& common,
     const auto write = [&](int frame, const Picture& picture) {
       writeFile(framePicture(common.output, frame), pngText(picture), common.existing());
     };
-    drawBreath(lungs, arguments.look, write, progress.part(0.85, 1.0, "drawing"));
+    drawBreath(lungs, arguments.drawing, write, progress.part(0.85, 1.0, "drawing"));
   }
   if (!arguments.gltf.empty()) writeBreathGltf(arguments.gltf, lungs, common.existing());
   if (!arguments.curve.empty()) {
@@ -180,10 +187,13 @@ Run declareBreathe(CLI::App& app, CommonOptions& common) {
   CLI::Option* pictures =
       app.add_flag("--pictures", arguments->pictures,
                    "Draw every frame too, beside it and from the same place (.png).");
-  for (CLI::Option* option :
-       addPictureArguments(app, arguments->look, "Width and height of the pictures in pixels.")) {
+  for (CLI::Option* option : addPictureArguments(app, arguments->drawing.look,
+                                                 "Width and height of the pictures in pixels.")) {
     option->needs(pictures);
   }
+  app.add_flag("--onion-skin", arguments->drawing.onionSkin,
+               "Draw where the lungs are at the ends of expiration and inspiration, too.")
+      ->needs(pictures);
   addOutput(app, common, "FILE",
             "The collection for ParaView (.pvd). Beside it: a VTP for every frame, of the airways "
             "too, a .vtp.series, the table of volumes and pressures (.csv) and the report (.json).")

@@ -249,6 +249,11 @@ void ScriptPlayer::clickBranch(int index) const {
 }
 
 void ScriptPlayer::clickPoint(const QJsonObject& step) const {
+  if (widget(step[QStringLiteral("name")].toString()) == window_.view().canvas()) {
+    SceneView& view = window_.view();
+    clickAt(*view.canvas(), view.positionOf(pointOf(step[QStringLiteral("point")])));
+    return;
+  }
   auto* view = qobject_cast<SliceView*>(widget(step[QStringLiteral("name")].toString()));
   if (view == nullptr || window_.slices().empty()) fail(QStringLiteral("there is no slice"));
   const QPoint at = view->positionOf(pointOf(step[QStringLiteral("point")]));
@@ -327,6 +332,10 @@ QVariant ScriptPlayer::observed(const QJsonObject& step) const {
   if (state == QLatin1String("playing")) return window_.player().playing();
   if (state == QLatin1String("phase")) return window_.player().phase();
   if (state == QLatin1String("frames")) return window_.view().framesDrawn();
+  if (state == QLatin1String("framesPerSecond")) return window_.view().framesPerSecond();
+  if (state == QLatin1String("detailed")) return window_.view().detailed();
+  if (state == QLatin1String("regions"))
+    return static_cast<int>(window_.regions().regions().size());
   if (state == QLatin1String("busy")) return document.jobs().busy();
   if (state == QLatin1String("previewed")) return static_cast<int>(window_.view().previewed());
   fail(QStringLiteral("there is no such state"));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <unordered_map>
 
 #include <Eigen/LU>
 
@@ -10,6 +11,7 @@
 #include "breathing/surface_points.h"
 #include "breathing/volume_polynomial.h"
 #include "core/error.h"
+#include "core/point_hash.h"
 #include "geometry/nearest_triangle.h"
 
 namespace pneuma {
@@ -74,12 +76,18 @@ struct VolumeLayer::Surface {
   std::vector<Vec3> normals;
   std::vector<Eigen::Matrix3d> bends;  ///< what the normals change by along the surface
   NearestTriangle nearest;
+  std::unordered_map<Vec3, std::uint32_t, PointHash> own;  ///< its points, which need no search
 
   explicit Surface(const TriangleMesh& surface)
       : mesh(surface),
         normals(smoothedNormals(surface)),
         bends(bendsOf(surface, normals)),
-        nearest(mesh) {}
+        nearest(mesh) {
+    own.reserve(mesh.points.size());
+    for (std::size_t n = 0; n < mesh.points.size(); ++n) {
+      own.try_emplace(mesh.points[n], static_cast<std::uint32_t>(n));
+    }
+  }
 
   /// The nearest place of the surface: the point and what its triangle's corners weigh there.
   struct Foot {
@@ -110,6 +118,9 @@ double VolumeLayer::thicknessFor(std::span<const Vec3> displacement, double want
 }
 
 VolumeLayer::Surface::Foot VolumeLayer::Surface::footOf(const Vec3& p) const {
+  if (const auto at = own.find(p); at != own.end()) {
+    return {p, {at->second, at->second, at->second}, Vec3::UnitX()};
+  }
   const NearestTriangle::Hit hit = nearest.nearest(p);
   Foot foot{hit.point, mesh.triangles[hit.triangle], Vec3::UnitX()};
   const Vec3& a = mesh.points[foot.corners[0]];

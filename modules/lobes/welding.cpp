@@ -1,23 +1,12 @@
 #include "lobes/welding.h"
 
 #include <algorithm>
-#include <bit>
 #include <unordered_map>
+
+#include "core/point_hash.h"
 
 namespace pneuma {
 namespace {
-
-struct HashOfPoint {
-  std::size_t operator()(const Vec3& p) const {
-    std::uint64_t hash = 0;
-    for (const double x : {p.x(), p.y(), p.z()}) {
-      // + 0.0 so that -0 and 0, which are equal, have one hash.
-      hash = (hash ^ std::bit_cast<std::uint64_t>(x + 0.0)) * 0x9E3779B97F4A7C15ULL;
-      hash ^= hash >> 29U;
-    }
-    return hash;
-  }
-};
 
 using Corners = std::array<std::uint32_t, 3>;
 
@@ -40,7 +29,7 @@ Corners turned(Corners t) {
 Welding weld(std::span<const std::pair<RegionId, const TriangleMesh*>> surfaces) {
   Welding welding;
   RegionComplex& complex = welding.complex;
-  std::unordered_map<Vec3, std::uint32_t, HashOfPoint> pointAt;
+  std::unordered_map<Vec3, std::uint32_t, PointHash> pointAt;
   std::unordered_map<Corners, std::size_t, HashOfCorners> facetOf;
   for (const auto& [region, mesh] : surfaces) {
     std::vector<std::uint32_t> index;

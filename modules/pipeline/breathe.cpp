@@ -5,6 +5,7 @@
 
 #include "core/error.h"
 #include "pipeline/detail/breathing_parts.h"
+#include "pipeline/detail/collapse.h"
 
 namespace pneuma {
 namespace {
@@ -94,6 +95,17 @@ std::vector<Vec3> probesIn(const LungMotion& motion) {
   return probes;
 }
 
+/// What a lung takes in when both take in so much.
+double takenMm3(const BreathingLungs& lungs, Side side, double litres) {
+  return lungs.share.at(side) * litres * MlPerLitre * Mm3PerMl;
+}
+
+double phaseOf(const BreathCycle& cycle, std::vector<BreathSample>::const_iterator sample) {
+  const auto steps = static_cast<double>(cycle.samples.size() - 1);
+  const double phase = static_cast<double>(sample - cycle.samples.begin()) / steps;
+  return phase - std::floor(phase);
+}
+
 }  // namespace
 
 BreathingLungs breathe(const LungModel& given, const BreatheOptions& options,
@@ -103,8 +115,12 @@ BreathingLungs breathe(const LungModel& given, const BreatheOptions& options,
   BreathingLungs lungs;
   progress.report(0.02);
   const Side affected = options.affected == AffectedLung::Right ? Side::Right : Side::Left;
-  const LungModel model =
-      collapsed(given, affected, scenarioOf(options.scenario).affectedRest, lungs.warnings);
+  std::optional<Collapse> collapse;
+  if (hasChestWall(options) && given.surfaces) {
+    collapse = collapseOf(given, affected, scenarioOf(options.scenario).affectedRest);
+    lungs.warnings.push_back(warningOf(*collapse));
+  }
+  const LungModel model = collapse ? collapsed(given, *collapse) : given;
   const std::map<Side, TriangleMesh> walls =
       wallsOf(model, lungs.warnings, progress.part(0.02, 0.3, "joining lobes"));
   std::map<Side, double> restMm3;
@@ -118,15 +134,18 @@ BreathingLungs breathe(const LungModel& given, const BreatheOptions& options,
     bothCompliance += mm3 * compliance[side];
   }
   lungs.cycle = cycleOf(options, bothCompliance / bothMm3, lungs.drive);
-  const std::map<Side, double> shares = sharesOf(restMm3, compliance, options);
+  lungs.share = sharesOf(restMm3, compliance, options);
   const double mostLitres = lungs.cycle.trapped + lungs.cycle.tidal;
-  const auto volumeOf = [&](Side side, double litres) {
-    return restMm3.at(side) + shares.at(side) * litres * MlPerLitre * Mm3PerMl;
-  };
-  LungMotionOptions by{presetOf(options), options.model, options.posture};
+  const LungMotionOptions healthy{presetOf(options), options.model, options.posture};
   for (const auto& [side, wall] : walls) {
+    LungMotionOptions by = healthy;
     by.stiffness = stiffnessAt(wall.points, side, model, options.regions);
-    lungs.motion.emplace(side, LungMotion(side, wall, by, volumeOf(side, mostLitres)));
+    const double taken = takenMm3(lungs, side, mostLitres);
+    lungs.motion.emplace(side, LungMotion(side, wall, by, restMm3.at(side) + taken));
+    progress.report(0.35);
+    if (!collapse || side != collapse->side) continue;
+    const TriangleMesh before = beforeCollapse(wall, *collapse);
+    lungs.chestWall.emplace(side, before, healthy, signedVolumeMm3(before) + taken);
     progress.report(0.4);
   }
   lungs.surfaces = movingSurfaces(model, lungs.motion, progress.part(0.4, 0.8, "moving lobes"));
@@ -134,17 +153,11 @@ BreathingLungs breathe(const LungModel& given, const BreatheOptions& options,
     const auto part = volumePolynomial(*surface.surface.mesh, surface.displacement);
     for (std::size_t k = 0; k < part.a.size(); ++k) lungs.volume[surface.side].a[k] += part.a[k];
   }
+  // Between the moments that are written, nothing folds either.
+  frameAt(lungs, emptiestPhase(lungs));
+  frameAt(lungs, fullestPhase(lungs));
   for (int n = 0; n < options.frames; ++n) {
-    BreathFrame frame;
-    frame.phase = static_cast<double>(n) / options.frames;
-    frame.breath = lungs.cycle.at(frame.phase);
-    for (const auto& [side, motion] : lungs.motion) {
-      const VolumePolynomial& volume = lungs.volume.at(side);
-      const double wanted = volume.a[0] + volumeOf(side, frame.breath.volume) - restMm3.at(side);
-      frame.scale[side] = motion.scaleFor(volume, wanted);
-      frame.volumeMl[side] = volume.at(frame.scale[side]) / Mm3PerMl;
-    }
-    lungs.frames.push_back(std::move(frame));
+    lungs.frames.push_back(frameAt(lungs, static_cast<double>(n) / options.frames));
   }
   for (const auto& [side, motion] : lungs.motion) {
     lungs.leastDeterminant[side] =
@@ -159,6 +172,41 @@ BreathingLungs breathe(const LungModel& given, const BreatheOptions& options,
   if (lungs.tree) moveTree(lungs, progress.part(0.8, 1.0, "moving airways"));
   progress.report(1.0);
   return lungs;
+}
+
+BreathFrame frameAt(const BreathingLungs& lungs, double phase) {
+  BreathFrame frame;
+  frame.phase = phase - std::floor(phase);
+  frame.breath = lungs.cycle.at(frame.phase);
+  for (const auto& [side, motion] : lungs.motion) {
+    const VolumePolynomial& volume = lungs.volume.at(side);
+    const double taken = takenMm3(lungs, side, frame.breath.volume);
+    frame.scale[side] = motion.scaleFor(volume, volume.a[0] + taken);
+    frame.volumeMl[side] = volume.at(frame.scale[side]) / Mm3PerMl;
+    if (lungs.chestWall && lungs.chestWall->side() == side) {
+      frame.chestWallScale = lungs.chestWall->scaleFor(lungs.chestWall->restMm3() + taken);
+    }
+  }
+  return frame;
+}
+
+double fullestPhase(const BreathingLungs& lungs) {
+  const BreathCycle& cycle = lungs.cycle;
+  return phaseOf(cycle, std::ranges::max_element(cycle.samples, {}, &BreathSample::volume));
+}
+
+double emptiestPhase(const BreathingLungs& lungs) {
+  const BreathCycle& cycle = lungs.cycle;
+  return phaseOf(cycle, std::ranges::min_element(cycle.samples, {}, &BreathSample::volume));
+}
+
+bool hasChestWall(const BreatheOptions& options) {
+  return scenarioOf(options.scenario).affectedRest != 1.0;
+}
+
+double pleuralGapMl(const BreathingLungs& lungs) {
+  const LungMotion& chest = *lungs.chestWall;
+  return (chest.restMm3() - lungs.volume.at(chest.side()).a[0]) / Mm3PerMl;
 }
 
 TriangleMesh surfaceAt(const MovingSurface& surface, double scale) {

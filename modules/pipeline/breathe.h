@@ -84,6 +84,7 @@ struct BreathFrame {
   BreathSample breath;              ///< both lungs
   std::map<Side, double> volumeMl;  ///< of each lung
   std::map<Side, double> scale;     ///< s of each lung
+  double chestWallScale = 0.0;      ///< s of BreathingLungs::chestWall
 };
 
 /// Lungs that breathe.
@@ -92,6 +93,9 @@ struct BreathingLungs {
   BreathDrive drive;
   std::map<Side, LungMotion> motion;
   std::map<Side, VolumePolynomial> volume;  ///< of what the surfaces of a lung enclose together
+  std::map<Side, double> share;             ///< of each lung in what both take in; 1 together
+  /// Around a lung with a pneumothorax: where its surface would rest were it healthy.
+  std::optional<LungMotion> chestWall;
   std::vector<MovingSurface> surfaces;
   std::shared_ptr<const AirwayTree> tree;  ///< null without one
   TreeMotion treeMotion;                   ///< at s = 1
@@ -111,6 +115,23 @@ struct BreathingLungs {
 /// another volume or period, or a model is given constants that it has no use for; Cancelled
 BreathingLungs breathe(const LungModel& model, const BreatheOptions& options,
                        const Progress& progress = {});
+
+/// The breath at any share of the period; whole numbers are the beginning of a breath. The chest
+/// wall of a pneumothorax follows the lung within it, so that the air between them keeps its
+/// volume.
+BreathFrame frameAt(const BreathingLungs& lungs, double phase);
+
+/// The share of the period at which the lungs hold most.
+double fullestPhase(const BreathingLungs& lungs);
+
+/// The share of the period at which the lungs hold least.
+double emptiestPhase(const BreathingLungs& lungs);
+
+/// True if breathe() will draw a chest wall around a lung.
+bool hasChestWall(const BreatheOptions& options);
+
+/// The air between a lung with a pneumothorax and the chest wall, ml. @pre there is a chest wall
+double pleuralGapMl(const BreathingLungs& lungs);
 
 /// A surface at s, mm.
 TriangleMesh surfaceAt(const MovingSurface& surface, double scale);

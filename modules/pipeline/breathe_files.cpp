@@ -16,6 +16,7 @@ namespace fs = std::filesystem;
 
 constexpr int SurfacePart = 0;
 constexpr int TreePart = 1;
+constexpr int ChestWallPart = 2;
 
 std::string number(int frame) {
   std::array<char, 16> text{};
@@ -29,6 +30,10 @@ fs::path surfaceFile(const fs::path& pvd, int frame) {
 
 fs::path treeFile(const fs::path& pvd, int frame) {
   return pvd.stem().string() + "_tree_" + number(frame) + ".vtp";
+}
+
+fs::path chestWallFile(const fs::path& pvd, int frame) {
+  return pvd.stem().string() + "_chest_wall_" + number(frame) + ".vtp";
 }
 
 fs::path besides(const fs::path& pvd, const char* ending) { return pvd.stem().string() + ending; }
@@ -65,12 +70,25 @@ void writeFrame(const fs::path& path, const BreathingLungs& lungs, const BreathF
   writeVtpSurface(path, together, arrays);
 }
 
+void writeChestWall(const fs::path& path, const LungMotion& chest, const BreathFrame& frame) {
+  TriangleMesh moved = chest.wall();
+  SurfaceArrays arrays;
+  std::vector<Vec3>& displacement = arrays.pointVectors["displacement"];
+  for (std::size_t n = 0; n < moved.points.size(); ++n) {
+    displacement.push_back(frame.chestWallScale * chest.ofWall()[n]);
+    moved.points[n] += displacement.back();
+  }
+  arrays.fieldValues["phase"] = frame.phase;
+  writeVtpSurface(path, moved, arrays);
+}
+
 std::string csvOf(const BreathingLungs& lungs) {
   std::string text = "frame,seconds,phase,pressure_cmH2O,flow_ml_per_s,volume_ml";
   for (const auto& [side, motion] : lungs.motion) {
     const std::string lung(name(side));
     text.append(",").append(lung).append("_ml,").append(lung).append("_scale");
   }
+  if (lungs.chestWall) text += ",chest_wall_ml,pleural_gap_ml";
   text += "\n";
   const auto add = [&](double value) {
     std::array<char, 32> digits{};
@@ -90,6 +108,11 @@ std::string csvOf(const BreathingLungs& lungs) {
       add(ml);
       add(frame.scale.at(side));
     }
+    if (lungs.chestWall) {
+      const double wallMl = lungs.chestWall->volume().at(frame.chestWallScale) / 1000.0;
+      add(wallMl);
+      add(wallMl - frame.volumeMl.at(lungs.chestWall->side()));
+    }
     text += "\n";
   }
   return text;
@@ -97,12 +120,13 @@ std::string csvOf(const BreathingLungs& lungs) {
 
 }  // namespace
 
-std::vector<fs::path> breathOutputs(const fs::path& pvd, int frames, bool tree) {
+std::vector<fs::path> breathOutputs(const fs::path& pvd, const BreatheOptions& options, bool tree) {
   std::vector<fs::path> files = {pvd.filename(), besides(pvd, ".csv"), besides(pvd, ".json"),
                                  besides(pvd, ".vtp.series")};
-  for (int n = 0; n < frames; ++n) {
+  for (int n = 0; n < options.frames; ++n) {
     files.push_back(surfaceFile(pvd, n));
     if (tree) files.push_back(treeFile(pvd, n));
+    if (hasChestWall(options)) files.push_back(chestWallFile(pvd, n));
   }
   return files;
 }
@@ -121,10 +145,17 @@ void writeBreath(const fs::path& pvd, const BreathingLungs& lungs, const Json& r
       writeTree(folder / treeFile(pvd, n), treeAt(lungs, frame));
       files.push_back({seconds, TreePart, treeFile(pvd, n)});
     }
+    if (lungs.chestWall) {
+      writeChestWall(folder / chestWallFile(pvd, n), *lungs.chestWall, frame);
+      files.push_back({seconds, ChestWallPart, chestWallFile(pvd, n)});
+    }
     progress.report(static_cast<double>(n + 1) / count);
   }
   files.push_back({lungs.drive.period, SurfacePart, surfaceFile(pvd, 0)});
   if (lungs.tree) files.push_back({lungs.drive.period, TreePart, treeFile(pvd, 0)});
+  if (lungs.chestWall) {
+    files.push_back({lungs.drive.period, ChestWallPart, chestWallFile(pvd, 0)});
+  }
   writeFile(folder / besides(pvd, ".csv"), csvOf(lungs));
   writeFile(folder / besides(pvd, ".json"), report.dump(2) + "\n");
   writeFileSeries(folder / besides(pvd, ".vtp.series"), files, SurfacePart);

@@ -8,15 +8,16 @@
 namespace pneuma {
 
 /// What writeBreath() writes for "breath.pvd": breath.csv, breath.json, breath.vtp.series and a VTP
-/// for every frame, beside it: breath_0000.vtp and, with a tree, breath_tree_0000.vtp.
-std::vector<std::filesystem::path> breathOutputs(const std::filesystem::path& pvd, int frames,
-                                                 bool tree);
+/// for every frame, beside it: breath_0000.vtp and, with a tree, breath_tree_0000.vtp, with a chest
+/// wall breath_chest_wall_0000.vtp.
+std::vector<std::filesystem::path> breathOutputs(const std::filesystem::path& pvd,
+                                                 const BreatheOptions& options, bool tree);
 
 /// Writes a breath for ParaView. Points really move, triangles are the same in every frame; the
 /// collection ends with the first frame again, one period later. Arrays of points: `displacement`
 /// (mm, from rest), `F` (mm, its length at s = 1), `volume_change` (local volume by that at rest)
-/// and `strain` (its cube root less 1); of triangles: `lobe`. The table has time, pressure, flow,
-/// volumes.
+/// and `strain` (its cube root less 1); of triangles: `lobe`. The chest wall has
+/// `displacement` alone. The table has time, pressure, flow, volumes.
 /// @throws OutputFailed, Cancelled: what was written before stays
 void writeBreath(const std::filesystem::path& pvd, const BreathingLungs& lungs, const Json& report,
                  const Progress& progress = {});

@@ -105,6 +105,11 @@ Json breatheReport(const LungModel& model, const BreathingLungs& lungs,
     checks.push_back({"VOLUME" + suffix, volumeErrorMl(lungs, of), MostVolumeErrorMl});
     checks.push_back({"INVERTED" + suffix, lungs.leastDeterminant.at(of) > 0.0 ? 0.0 : 1.0, 0.0});
   }
+  if (lungs.chestWall) {
+    report["pleural_gap"] = {{"lung", name(lungs.chestWall->side())},
+                             {"gap_ml", pleuralGapMl(lungs)},
+                             {"chest_wall_rest_ml", lungs.chestWall->restMm3() / 1000.0}};
+  }
   report["checks"] = toJson(checks);
   for (const std::string& warning : lungs.warnings) report["warnings"].push_back(warning);
   report["peak_memory_mb"] = peakMemoryMb();

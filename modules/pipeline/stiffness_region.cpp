@@ -16,10 +16,6 @@ namespace pneuma {
 namespace {
 
 constexpr double RimMm = 10.0;
-constexpr double LeastFactor = 0.01;
-constexpr double MostFactor = 100.0;
-
-bool isBall(const StiffnessRegion& region) { return region.lobe == Lobe::Whole; }
 
 double numberOf(std::string_view text, std::string_view whole) {
   double value = 0.0;
@@ -45,7 +41,12 @@ const LobeSurface& lobeOf(const LungModel& model, Lobe lobe) {
                       "lobes' makes them, or a ball");
 }
 
-/// The lung that a ball is in, by the boxes of its surfaces.
+bool isIn(const StiffnessRegion& region, Side of, const LungModel& model) {
+  return (region.isBall() ? sideOf(region, model) : side(lobeOf(model, region.lobe).lobe)) == of;
+}
+
+}  // namespace
+
 Side sideOf(const StiffnessRegion& ball, const LungModel& model) {
   for (const LobeSurface& surface : *model.surfaces) {
     if (side(surface.lobe) != Side::None && bounds(*surface.mesh).contains(ball.centre)) {
@@ -57,12 +58,6 @@ Side sideOf(const StiffnessRegion& ball, const LungModel& model) {
                       " mm is in no lung; centres are in mm, LPS");
 }
 
-bool isIn(const StiffnessRegion& region, Side of, const LungModel& model) {
-  return (isBall(region) ? sideOf(region, model) : side(lobeOf(model, region.lobe).lobe)) == of;
-}
-
-}  // namespace
-
 StiffnessRegion stiffnessRegion(std::string_view text) {
   const std::size_t equals = text.find('=');
   StiffnessRegion region;
@@ -72,7 +67,7 @@ StiffnessRegion stiffnessRegion(std::string_view text) {
                         "60,-20,-150,15=5");
   }
   region.factor = numberOf(text.substr(equals + 1), text);
-  if (region.factor < LeastFactor || region.factor > MostFactor) {
+  if (region.factor < LeastStiffness || region.factor > MostStiffness) {
     throw InvalidOption("the region '" + std::string(text) +
                         "' is to be 0.01 to 100 times as stiff as healthy lung");
   }
@@ -104,7 +99,8 @@ std::vector<double> stiffnessAt(std::span<const Vec3> points, Side of, const Lun
     if (!isIn(region, of, model)) continue;
     if (stiffness.empty()) stiffness.assign(points.size(), 1.0);
     std::unique_ptr<const NearestTriangle> lobe;
-    if (!isBall(region)) lobe = std::make_unique<NearestTriangle>(*lobeOf(model, region.lobe).mesh);
+    if (!region.isBall())
+      lobe = std::make_unique<NearestTriangle>(*lobeOf(model, region.lobe).mesh);
     parallelFor(points.size(), [&](std::size_t n) {
       const double outside =
           lobe ? lobe->distanceMm(points[n]) : (points[n] - region.centre).norm() - region.radiusMm;
@@ -120,19 +116,19 @@ double complianceOf(Side of, double lungMm3, const LungModel& model,
   double compliance = 1.0;
   for (const StiffnessRegion& region : regions) {
     if (!isIn(region, of, model)) continue;
-    const double mm3 = isBall(region)
+    const double mm3 = region.isBall()
                            ? 4.0 / 3.0 * std::numbers::pi * std::pow(region.radiusMm, 3.0)
                            : signedVolumeMm3(*lobeOf(model, region.lobe).mesh);
     compliance += std::min(1.0, mm3 / lungMm3) * (1.0 / region.factor - 1.0);
   }
-  return std::max(compliance, 1.0 / MostFactor);
+  return std::max(compliance, 1.0 / MostStiffness);
 }
 
 Json toJson(std::span<const StiffnessRegion> regions) {
   Json json = Json::array();
   for (const StiffnessRegion& region : regions) {
     Json entry = {{"factor", region.factor}};
-    if (isBall(region)) {
+    if (region.isBall()) {
       entry["centre_mm"] = {region.centre.x(), region.centre.y(), region.centre.z()};
       entry["radius_mm"] = region.radiusMm;
     } else {

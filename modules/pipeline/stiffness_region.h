@@ -17,8 +17,14 @@ struct StiffnessRegion {
   double radiusMm = 0.0;
   double factor = 1.0;  ///< of Young's modulus
 
+  bool isBall() const { return lobe == Lobe::Whole; }
+
   bool operator==(const StiffnessRegion&) const = default;
 };
+
+/// Of a region's factor.
+inline constexpr double LeastStiffness = 0.01;
+inline constexpr double MostStiffness = 100.0;
 
 /// Young's modulus in a lobe with emphysema by that of healthy lung: reasoned, not measured.
 inline constexpr double EmphysemaFactor = 0.5;
@@ -26,6 +32,10 @@ inline constexpr double EmphysemaFactor = 0.5;
 /// "LLL=0.5", or "60,-20,-150,15=5": a ball by its centre and radius, mm, LPS.
 /// @throws InvalidOption saying what is wrong with the text
 StiffnessRegion stiffnessRegion(std::string_view text);
+
+/// The lung that a ball is in, by the boxes of its surfaces.
+/// @throws InvalidOption if it is in none
+Side sideOf(const StiffnessRegion& ball, const LungModel& model);
 
 /// Stiffness of points of a lung by that of healthy lung; empty if no region is in that lung.
 /// @param model with the lobes that regions name

@@ -15,7 +15,10 @@
 namespace pneuma {
 namespace {
 
-constexpr double LineBelowMm = 0.6;  // while dragging, thinner airways are lines
+// While things move, this many of the widest airways are tubes, and this many more are lines.
+constexpr std::size_t MovingTubes = 1500;
+constexpr std::size_t MovingLines = 20'000;
+constexpr int MovingSides = 6;
 constexpr Rgb Highlight = rgbOfHex(0xff5a1f);
 
 /// Shows a mesh that may breathe.
@@ -47,6 +50,17 @@ void addLobes(const AirwayTree& tree, const std::vector<bool>& visible, std::set
   for (std::size_t i = 0; i < tree.size(); ++i) {
     if (visible[i]) lobes.insert(tree[i].lobe);
   }
+}
+
+/// The visible branches, the widest first: mothers stand before daughters of the same width.
+std::vector<std::uint32_t> widestFirst(const AirwayTree& tree, const std::vector<bool>& visible) {
+  std::vector<std::uint32_t> order;
+  for (std::size_t i = 0; i < tree.size(); ++i) {
+    if (visible[i]) order.push_back(static_cast<std::uint32_t>(i));
+  }
+  std::ranges::stable_sort(order, std::ranges::greater{},
+                           [&](std::uint32_t i) { return tree[i].radiusMm; });
+  return order;
 }
 
 /// True if tubes or their colours would come out differently.
@@ -137,7 +151,9 @@ void AirwayLayer::setOptions(const SceneOptions& options) {
 
 void AirwayLayer::setInteractive(bool interactive) {
   interactive_ = interactive;
+  // Each when it is shown first: breathing lungs need no fine tubes until they stand.
   if (interactive && !coarseBuilt_) buildCoarse();
+  if (!interactive && !fineBuilt_) buildFine();
   showActors();
 }
 
@@ -155,7 +171,7 @@ void AirwayLayer::select(std::optional<std::size_t> branch) {
 }
 
 void AirwayLayer::rebuild() {
-  coarseBuilt_ = false;
+  fineBuilt_ = coarseBuilt_ = false;
   colours_ = {};
   visible_.clear();
   lobes_.clear();
@@ -166,20 +182,30 @@ void AirwayLayer::rebuild() {
       addLobes(*peer, branchesUpTo(*peer, options_.maxGeneration), lobes_);
     }
     colours_ = branchColours(*tree_, visible_, options_, peers_);
-    show(tubes_,
-         tubeMesh(*tree_, visible_, colours_.colours, {.radiusScale = options_.radiusScale}));
   }
   if (previewing_) buildGiven();
   setInteractive(interactive_);
   buildSelection();
 }
 
+void AirwayLayer::buildFine() {
+  fineBuilt_ = true;
+  if (tree_ == nullptr) return;
+  show(tubes_, tubeMesh(*tree_, visible_, colours_.colours, {.radiusScale = options_.radiusScale}));
+}
+
 void AirwayLayer::buildCoarse() {
   coarseBuilt_ = true;
   if (tree_ == nullptr) return;
-  const TubeOptions wide = {.radiusScale = options_.radiusScale, .minRadiusMm = LineBelowMm};
-  show(coarseTubes_, tubeMesh(*tree_, visible_, colours_.colours, wide));
-  show(coarseLines_, lineMesh(*tree_, visible_, colours_.colours, LineBelowMm));
+  const std::vector<std::uint32_t> order = widestFirst(*tree_, visible_);
+  std::vector<bool> wide(tree_->size(), false);
+  std::vector<bool> thin(tree_->size(), false);
+  for (std::size_t i = 0; i < std::min(order.size(), MovingTubes + MovingLines); ++i) {
+    (i < MovingTubes ? wide : thin)[order[i]] = true;
+  }
+  show(coarseTubes_, tubeMesh(*tree_, wide, colours_.colours,
+                              {.radiusScale = options_.radiusScale, .sides = MovingSides}));
+  show(coarseLines_, lineMesh(*tree_, thin, colours_.colours));
 }
 
 void AirwayLayer::buildGiven() {

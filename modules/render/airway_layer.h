@@ -68,6 +68,7 @@ class AirwayLayer {
   /// Where it stands at the moment.
   Branch movedBranchOf(std::size_t n) const;
   void rebuild();
+  void buildFine();
   void buildCoarse();
   void buildGiven();
   void buildSelection();
@@ -82,6 +83,7 @@ class AirwayLayer {
   BranchColours colours_;
   std::optional<std::size_t> selected_;
   bool interactive_ = false;
+  bool fineBuilt_ = false;
   bool coarseBuilt_ = false;
   bool previewing_ = false;
   std::shared_ptr<const BreathingScene> breathing_;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "render/convert.h"
+
 namespace pneuma {
 namespace {
 
@@ -35,7 +37,7 @@ Vec3 displacementAt(const Branch& branch, const std::array<Vec3, 2>& ofEnds,
 
 BreathAttributes breathAttributes(const TriangleMesh& mesh, std::span<const Vec3> displacement,
                                   Side side) {
-  std::vector<Vec3> normals(mesh.points.size(), Vec3::Zero());
+  const std::vector<Vec3> normals = areaVectors(mesh);
   std::vector<Vec3> slopes(mesh.points.size(), Vec3::Zero());
   for (const auto& triangle : mesh.triangles) {
     const auto& [a, b, c] = triangle;
@@ -43,10 +45,7 @@ BreathAttributes breathAttributes(const TriangleMesh& mesh, std::span<const Vec3
     const Vec3 f = mesh.points[c] - mesh.points[a];
     const Vec3 ofE = displacement[b] - displacement[a];
     const Vec3 ofF = displacement[c] - displacement[a];
-    for (const std::uint32_t n : triangle) {
-      normals[n] += e.cross(f);
-      slopes[n] += ofE.cross(f) + e.cross(ofF);
-    }
+    for (const std::uint32_t n : triangle) slopes[n] += ofE.cross(f) + e.cross(ofF);
   }
   BreathAttributes attributes;
   attributes.normals.reserve(3 * mesh.points.size());

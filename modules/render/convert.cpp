@@ -43,11 +43,7 @@ vtkSmartPointer<vtkCellArray> cellsOf(const std::vector<std::int32_t>& indices, 
 }
 
 std::vector<Vec3> smoothNormals(const TriangleMesh& mesh) {
-  std::vector<Vec3> normals(mesh.points.size(), Vec3::Zero());
-  for (const auto& [a, b, c] : mesh.triangles) {
-    const Vec3 twiceArea = (mesh.points[b] - mesh.points[a]).cross(mesh.points[c] - mesh.points[a]);
-    for (const std::uint32_t corner : {a, b, c}) normals[corner] += twiceArea;
-  }
+  std::vector<Vec3> normals = areaVectors(mesh);
   for (Vec3& normal : normals) normal = normal.norm() > 0.0 ? Vec3(normal.normalized()) : normal;
   return normals;
 }
@@ -62,6 +58,15 @@ std::vector<float> flattened(const std::vector<Vec3>& vectors) {
 }
 
 }  // namespace
+
+std::vector<Vec3> areaVectors(const TriangleMesh& mesh) {
+  std::vector<Vec3> vectors(mesh.points.size(), Vec3::Zero());
+  for (const auto& [a, b, c] : mesh.triangles) {
+    const Vec3 twiceArea = (mesh.points[b] - mesh.points[a]).cross(mesh.points[c] - mesh.points[a]);
+    for (const std::uint32_t corner : {a, b, c}) vectors[corner] += twiceArea;
+  }
+  return vectors;
+}
 
 vtkSmartPointer<vtkPolyData> polyDataOf(const TriangleMesh& mesh) {
   auto data = vtkSmartPointer<vtkPolyData>::New();

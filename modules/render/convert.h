@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include <vtkSmartPointer.h>
 
 #include "core/triangle_mesh.h"
@@ -8,6 +10,10 @@
 class vtkPolyData;
 
 namespace pneuma {
+
+/// Twice the sum of the area vectors of the triangles around each point, mm^2: its smooth normal,
+/// not of length 1.
+std::vector<Vec3> areaVectors(const TriangleMesh& mesh);
 
 /// A surface with smooth normals, weighted by the area of the triangles around each point.
 vtkSmartPointer<vtkPolyData> polyDataOf(const TriangleMesh& mesh);

@@ -21,6 +21,7 @@
 
 #include "render/colour_map.h"
 #include "render/convert.h"
+#include "render/ray.h"
 #include "render/surface_layer.h"
 #include "render/tube_mesh.h"
 
@@ -127,25 +128,6 @@ vtkSmartPointer<vtkActor> rimActor(const FissureScene::Sheet& sheet, Background 
   actor->GetProperty()->SetLineWidth(sheet.current ? 2.6F : 1.8F);
   actor->GetProperty()->LightingOff();
   return actor;
-}
-
-/// Where a triangle is hit, as a share of the way (Moeller and Trumbore 1997).
-std::optional<double> hit(const Vec3& from, const Vec3& way, const Vec3& a, const Vec3& b,
-                          const Vec3& c) {
-  const Vec3 ab = b - a;
-  const Vec3 ac = c - a;
-  const Vec3 across = way.cross(ac);
-  const double volume = ab.dot(across);
-  if (volume == 0.0) return std::nullopt;
-  const Vec3 offset = from - a;
-  const double u = offset.dot(across) / volume;
-  if (u < 0.0 || u > 1.0) return std::nullopt;
-  const Vec3 beside = offset.cross(ab);
-  const double v = way.dot(beside) / volume;
-  if (v < 0.0 || u + v > 1.0) return std::nullopt;
-  const double share = ac.dot(beside) / volume;
-  if (share < 0.0 || share > 1.0) return std::nullopt;
-  return share;
 }
 
 }  // namespace
@@ -275,8 +257,8 @@ std::optional<double> FissureLayer::firstHit(const Vec3& from, const Vec3& to) c
     if (!lung.visible) continue;
     const std::vector<Vec3>& p = lung.mesh->points;
     for (const auto& [a, b, c] : lung.mesh->triangles) {
-      const std::optional<double> share = hit(from, to - from, p[a], p[b], p[c]);
-      if (share && (!first || *share < *first)) first = share;
+      const std::optional<RayHit> met = hit(from, to - from, p[a], p[b], p[c]);
+      if (met && (!first || met->share < *first)) first = met->share;
     }
   }
   return first;

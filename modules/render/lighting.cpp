@@ -36,7 +36,7 @@ void addLights(vtkRenderer* renderer) {
   addLight(renderer, Vec3(0.0, -1.0, 0.5), 0.18, {1.0, 1.0, 1.0});
 }
 
-void addPasses(vtkRenderer* renderer) {
+vtkSmartPointer<vtkRenderPass> addPasses(vtkRenderer* renderer) {
   vtkNew<vtkLightsPass> lights;
   vtkNew<vtkOpaquePass> opaque;
   vtkNew<vtkTranslucentPass> translucent;
@@ -50,9 +50,16 @@ void addPasses(vtkRenderer* renderer) {
   sequence->SetPasses(passes);
   vtkNew<vtkCameraPass> camera;
   camera->SetDelegatePass(sequence);
-  vtkNew<vtkOpenGLFXAAPass> smooth;  // vtkRenderer::UseFXAA is ignored once passes are set
+  // vtkRenderer::UseFXAA is ignored once passes are set.
+  auto smooth = vtkSmartPointer<vtkOpenGLFXAAPass>::New();
   smooth->SetDelegatePass(camera);
   renderer->SetPass(smooth);
+  return smooth;
+}
+
+void setSmooth(vtkRenderer* renderer, vtkRenderPass* passes, bool smooth) {
+  auto* smoothing = vtkOpenGLFXAAPass::SafeDownCast(passes);
+  renderer->SetPass(smooth ? passes : smoothing->GetDelegatePass());
 }
 
 void setBackground(vtkRenderer* renderer, Background background) {

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <vtkSmartPointer.h>
+
 #include "render/scene.h"
 
+class vtkRenderPass;
 class vtkRenderer;
 
 namespace pneuma {
@@ -12,7 +15,10 @@ void addLights(vtkRenderer* renderer);
 
 /// Explicit passes: opaque, then plain alpha in the order of the actors, smoothed edges (FXAA).
 /// Plain alpha of culled surfaces is clearer and much faster than depth peeling.
-void addPasses(vtkRenderer* renderer);
+vtkSmartPointer<vtkRenderPass> addPasses(vtkRenderer* renderer);
+
+/// Smooths edges or, to be fast, does not. @param passes of addPasses()
+void setSmooth(vtkRenderer* renderer, vtkRenderPass* passes, bool smooth);
 
 void setBackground(vtkRenderer* renderer, Background background);
 

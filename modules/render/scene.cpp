@@ -8,17 +8,21 @@
 #include <vtkCamera.h>
 #include <vtkMatrix4x4.h>
 #include <vtkNew.h>
+#include <vtkRenderPass.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
 
 #include "core/units.h"
 #include "render/airway_layer.h"
 #include "render/annotations.h"
+#include "render/ball_layer.h"
 #include "render/branch_picker.h"
 #include "render/camera.h"
 #include "render/fissure_layer.h"
 #include "render/lighting.h"
 #include "render/preview_layer.h"
+#include "render/shell_layer.h"
 #include "render/surface_layer.h"
 
 namespace pneuma {
@@ -72,8 +76,11 @@ struct Scene::State {
   AirwayLayer airways{renderer};
   PreviewLayer preview{renderer};
   FissureLayer fissures{renderer};
+  ShellLayer shells{renderer};
+  BallLayer balls{renderer};
   Annotations annotations{overlayRenderer};
   SceneOptions options;
+  vtkSmartPointer<vtkRenderPass> passes;
 
   // What look() framed, kept so that the picture can be framed again when its size changes, until
   // somebody moves the camera.
@@ -91,13 +98,16 @@ struct Scene::State {
     surfaces.setOptions(options, !colouredByLobe());
     preview.setOptions(options);
     fissures.setOptions(options);
+    shells.setBackground(options.background);
     setBackground(renderer, options.background);
   }
 
   Legend legend() const {
     if (!options.legend) return {};
-    if (Legend values = surfaces.legend(options.background); !values.empty()) return values;
-    if (!colouredByLobe()) return airways.legend();
+    if (Legend values = surfaces.legend(options.background); !values.empty()) {
+      return withShells(std::move(values));
+    }
+    if (!colouredByLobe()) return withShells(airways.legend());
     std::set<Lobe> lobes;
     for (const FissureScene::Lung& lung : fissures.scene().lungs) {
       if (!lung.visible) continue;
@@ -107,7 +117,20 @@ struct Scene::State {
     }
     if (fissures.empty()) addLobes(lobes);
     lobes.insert(airways.lobes().begin(), airways.lobes().end());
-    return lobeLegend(lobes, options.palette, options.background);
+    return withShells(lobeLegend(lobes, options.palette, options.background));
+  }
+
+  /// Chips for the shells too, where there is no ramp beside which they would not stand.
+  Legend withShells(Legend legend) const {
+    using Of = BreathingScene::Shell::Of;
+    if (!legend.ramp.empty()) return legend;
+    for (const Of of : {Of::ChestWall, Of::Expiration, Of::Inspiration}) {
+      if (!shells.shows(of)) continue;
+      const ShellLook& look = lookOf(of);
+      const bool dark = options.background == Background::Dark;
+      legend.chips.push_back({look.name, look.brief, dark ? look.onDark : look.onLight});
+    }
+    return legend;
   }
 
   void addLobes(std::set<Lobe>& lobes) const {
@@ -131,6 +154,7 @@ struct Scene::State {
         points.push_back(surface.mesh->points[n] + breathing->surfaces[i].displacement[n]);
       }
     }
+    shells.addPoints(points);
     if (airways.tree() != nullptr) {
       addPoints(*airways.tree(), airways.visible(), options.radiusScale, points);
     }
@@ -190,7 +214,7 @@ struct Scene::State {
 Scene::Scene() : state_(std::make_unique<State>()) {
   vtkRenderer* renderer = state_->renderer;
   addLights(renderer);
-  addPasses(renderer);
+  state_->passes = addPasses(renderer);
   renderer->SetActiveCamera(vtkNew<vtkCamera>());
   state_->overlayRenderer->SetLayer(1);
   state_->overlayRenderer->InteractiveOff();
@@ -209,7 +233,7 @@ void Scene::attachTo(vtkRenderWindow* window) {
   if (vtkRenderWindow* before = state_->renderer->GetRenderWindow(); before != nullptr) {
     before->RemoveRenderer(state_->overlayRenderer);
     before->RemoveRenderer(state_->renderer);
-    addPasses(state_->renderer);  // the old ones hold shaders of the old window
+    state_->passes = addPasses(state_->renderer);  // the old ones hold shaders of the old window
   }
   if (window == nullptr) return;
   window->SetMultiSamples(0);
@@ -220,6 +244,8 @@ void Scene::attachTo(vtkRenderWindow* window) {
 
 void Scene::setSurfaces(std::vector<SceneSurface> surfaces) {
   state_->surfaces.setSurfaces(std::move(surfaces), state_->options);
+  state_->shells.setBreathing(nullptr, state_->options.background);
+  state_->balls.setBreath({});
   state_->recolour();
 }
 
@@ -258,6 +284,11 @@ std::optional<Vec3> Scene::lungPointAt(double x, double y) const {
   const std::optional<double> share = state_->fissures.firstHit(from, to);
   if (!share) return std::nullopt;
   return from + *share * (to - from);
+}
+
+std::optional<SurfaceHit> Scene::surfaceAt(double x, double y) const {
+  if (state_->renderer->GetRenderWindow() == nullptr) return std::nullopt;
+  return state_->surfaces.firstHit(state_->worldPoint(x, y, 0.0), state_->worldPoint(x, y, 1.0));
 }
 
 Vec3 Scene::pointBeside(double x, double y, const Vec3& other) const {
@@ -300,6 +331,8 @@ const SceneOptions& Scene::options() const { return state_->options; }
 
 void Scene::setBreathing(std::shared_ptr<const BreathingScene> breathing) {
   state_->surfaces.setBreathing(breathing, state_->options);
+  const bool taken = state_->surfaces.breathing() != nullptr;
+  state_->shells.setBreathing(taken ? breathing : nullptr, state_->options.background);
   state_->airways.setBreathing(std::move(breathing));
   state_->recolour();
 }
@@ -307,11 +340,18 @@ void Scene::setBreathing(std::shared_ptr<const BreathingScene> breathing) {
 void Scene::setBreath(const BreathScale& scale) {
   state_->surfaces.setBreath(scale);
   state_->airways.setBreath(scale);
+  state_->shells.setBreath(scale);
+  state_->balls.setBreath(scale);
 }
+
+void Scene::setOnionSkin(bool on) { state_->shells.setOnionSkin(on); }
+
+void Scene::setBalls(std::vector<SceneBall> balls) { state_->balls.setBalls(std::move(balls)); }
 
 void Scene::setInteractive(bool interactive) {
   state_->airways.setInteractive(interactive);
   state_->surfaces.setInteractive(interactive);
+  setSmooth(state_->renderer, state_->passes, !interactive);
 }
 
 void Scene::select(std::optional<std::size_t> branch) { state_->airways.select(branch); }

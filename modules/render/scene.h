@@ -67,6 +67,24 @@ struct SceneSurface {
   bool visible = true;
 };
 
+/// A part of the lungs that is stiffer or softer than the rest.
+struct SceneBall {
+  Vec3 centre = Vec3::Zero();
+  double radiusMm = 0.0;
+  bool stiff = true;
+  bool chosen = false;  ///< stands out
+  Side side = Side::None;
+  Vec3 displacement = Vec3::Zero();  ///< of its centre at s = 1, mm
+
+  bool operator==(const SceneBall&) const = default;
+};
+
+/// A point of a surface.
+struct SurfaceHit {
+  std::size_t surface = 0;    ///< in the order of setSurfaces()
+  Vec3 place = Vec3::Zero();  ///< as the surface was given, before it breathed
+};
+
 /// Lobes, tree, light, camera and annotations in one VTK renderer (plus an overlay for text).
 /// Used from one thread, the one that renders.
 class Scene {
@@ -93,6 +111,9 @@ class Scene {
 
   /// The point of a lung whose fissures are edited under a pixel.
   std::optional<Vec3> lungPointAt(double x, double y) const;
+
+  /// The point of a visible surface under a pixel, where the lungs stand at the moment.
+  std::optional<SurfaceHit> surfaceAt(double x, double y) const;
 
   /// The point under a pixel that is as far from the viewer as another point.
   Vec3 pointBeside(double x, double y, const Vec3& other) const;
@@ -124,6 +145,12 @@ class Scene {
 
   /// The moment of the breath that is shown. s = 0 is how everything was given.
   void setBreath(const BreathScale& scale);
+
+  /// Shows where the lungs are at the ends of expiration and inspiration, if the breathing tells.
+  void setOnionSkin(bool on);
+
+  /// Balls in the lungs, which move with them.
+  void setBalls(std::vector<SceneBall> balls);
 
   /// Coarse tubes while the user drags or lungs breathe, fine ones afterwards.
   void setInteractive(bool interactive);

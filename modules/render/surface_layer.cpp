@@ -22,6 +22,7 @@
 #include "render/breath_shader.h"
 #include "render/colour_map.h"
 #include "render/convert.h"
+#include "render/ray.h"
 #include "render/tube_mesh.h"
 
 namespace pneuma {
@@ -36,6 +37,15 @@ constexpr double LightGroundGain = 0.34 / 0.26;  // light backgrounds swallow th
 constexpr const char* RimShader = R"(//VTK::Light::Impl
   float rim = 1.0 - abs(dot(normalVCVSOutput, normalize(vertexVC.xyz)));
   gl_FragData[0].a = min(1.0, opacity * mix(0.40, 2.8, rim * rim));
+)";
+
+// The same while lungs move, by the same lights without highlights: most of a frame's time goes
+// into these pixels where there is no graphics card.
+constexpr const char* MovingRimShader = R"(vec3 toEye = normalize(vertexVC.xyz);
+  float rim = 1.0 - abs(dot(normalVCVSOutput, toEye));
+  float light = 0.50 + 0.50 * abs(normalVCVSOutput.z);
+  gl_FragData[0] = vec4(light * diffuseColor,
+                        min(1.0, opacity * mix(0.40, 2.8, rim * rim)));
 )";
 
 /// A veil that moves; with colours of its points in place of one for all.
@@ -135,50 +145,63 @@ Legend SurfaceLayer::legend(Background background) const {
 }
 
 void SurfaceLayer::rebuild(const SceneOptions& options) {
-  for (const auto& actor : actors_) renderer_->RemoveActor(actor);
-  for (const auto& actor : coarse_) {
-    if (actor != nullptr) renderer_->RemoveActor(actor);
+  for (const auto* actors : {&actors_, &coarse_}) {
+    for (const auto& actor : *actors) {
+      if (actor != nullptr) renderer_->RemoveActor(actor);
+    }
   }
-  actors_.clear();
-  coarse_.clear();
+  actors_.assign(surfaces_.size(), nullptr);
+  coarse_.assign(surfaces_.size(), nullptr);
   centres_.clear();
-  farthestMm_.clear();
+  farthestMm_.assign(surfaces_.size(), 0.0);
   scale_ = {};
+  options_ = options;
+  neutral_ = false;
   const Scale scale = valueScale();
   for (std::size_t i = 0; i < surfaces_.size(); ++i) {
     const TriangleMesh& mesh = *surfaces_[i].mesh;
     centres_.push_back(mesh.points.empty() ? Vec3(Vec3::Zero()) : Vec3(bounds(mesh).center()));
-    coarse_.emplace_back();
-    farthestMm_.push_back(0.0);
-    if (!breathing_) {
-      actors_.push_back(veilOf(mesh));
-    } else {
-      const BreathingScene::Surface& moving = breathing_->surfaces[i];
-      for (const Vec3& u : moving.displacement) {
-        farthestMm_.back() = std::max(farthestMm_.back(), u.norm());
-      }
-      actors_.push_back(breathingVeil(mesh, moving.displacement, moving.values, scale,
-                                      options.background, moving.side));
-      if (moving.coarse) {
-        coarse_.back() = breathingVeil(*moving.coarse, moving.coarseDisplacement,
-                                       moving.coarseValues, scale, options.background, moving.side);
-        renderer_->AddActor(coarse_.back());
-      }
-    }
-    renderer_->AddActor(actors_.back());
+    if (!breathing_) continue;
+    const BreathingScene::Surface& moving = breathing_->surfaces[i];
+    for (const Vec3& u : moving.displacement) farthestMm_[i] = std::max(farthestMm_[i], u.norm());
+    if (!moving.coarse) continue;
+    coarse_[i] = breathingVeil(*moving.coarse, moving.coarseDisplacement, moving.coarseValues,
+                               scale, options.background, moving.side);
+    coarse_[i]->GetShaderProperty()->AddFragmentShaderReplacement("//VTK::Light::Impl", true,
+                                                                  MovingRimShader, false);
+    colour(coarse_[i], i);
+    renderer_->AddActor(coarse_[i]);
   }
-  order_.resize(actors_.size());
+  order_.resize(surfaces_.size());
   std::iota(order_.begin(), order_.end(), std::size_t{0});
   showActors();
-  setOptions(options, false);
+}
+
+vtkActor* SurfaceLayer::fine(std::size_t index) {
+  vtkSmartPointer<vtkActor>& actor = actors_[index];
+  if (actor != nullptr) return actor;
+  const TriangleMesh& mesh = *surfaces_[index].mesh;
+  if (breathing_) {
+    const BreathingScene::Surface& moving = breathing_->surfaces[index];
+    actor = breathingVeil(mesh, moving.displacement, moving.values, valueScale(),
+                          options_.background, moving.side);
+    pneuma::setBreath(actor, scale_);
+  } else {
+    actor = veilOf(mesh);
+  }
+  colour(actor, index);
+  renderer_->AddActor(actor);
+  order_.clear();  // it stands in front of all others now
+  return actor;
 }
 
 void SurfaceLayer::setBreath(const BreathScale& scale) {
   if (!breathing_ || scale == scale_) return;
   scale_ = scale;
-  for (const auto& actor : actors_) pneuma::setBreath(actor, scale_);
-  for (const auto& actor : coarse_) {
-    if (actor != nullptr) pneuma::setBreath(actor, scale_);
+  for (const auto* actors : {&actors_, &coarse_}) {
+    for (const auto& actor : *actors) {
+      if (actor != nullptr) pneuma::setBreath(actor, scale_);
+    }
   }
 }
 
@@ -196,6 +219,29 @@ double SurfaceLayer::reachMm() const {
   return reach;
 }
 
+std::optional<SurfaceHit> SurfaceLayer::firstHit(const Vec3& from, const Vec3& to) const {
+  std::optional<SurfaceHit> first;
+  double least = 1.0;
+  for (std::size_t i = 0; i < surfaces_.size(); ++i) {
+    if (!surfaces_[i].visible || !shown_) continue;
+    const std::vector<Vec3>& rest = surfaces_[i].mesh->points;
+    std::vector<Vec3> moved = rest;
+    if (breathing_) {
+      const BreathingScene::Surface& moving = breathing_->surfaces[i];
+      const double s = scale_.of(moving.side);
+      for (std::size_t n = 0; n < moved.size(); ++n) moved[n] += s * moving.displacement[n];
+    }
+    for (const auto& [a, b, c] : surfaces_[i].mesh->triangles) {
+      const std::optional<RayHit> met = hit(from, to - from, moved[a], moved[b], moved[c]);
+      if (!met || met->share > least) continue;
+      least = met->share;
+      const double ofA = 1.0 - met->b - met->c;
+      first = SurfaceHit{i, ofA * rest[a] + met->b * rest[b] + met->c * rest[c]};
+    }
+  }
+  return first;
+}
+
 void SurfaceLayer::setVisible(std::size_t index, bool visible) {
   if (index >= surfaces_.size()) return;
   surfaces_[index].visible = visible;
@@ -211,23 +257,32 @@ void SurfaceLayer::showActors() {
   for (std::size_t i = 0; i < actors_.size(); ++i) {
     const bool visible = surfaces_[i].visible && shown_;
     const bool fewer = interactive_ && coarse_[i] != nullptr;
-    actors_[i]->SetVisibility(visible && !fewer);
+    if (visible && !fewer) {
+      fine(i)->VisibilityOn();
+    } else if (actors_[i] != nullptr) {
+      actors_[i]->VisibilityOff();
+    }
     if (coarse_[i] != nullptr) coarse_[i]->SetVisibility(visible && fewer);
   }
 }
 
 void SurfaceLayer::setOptions(const SceneOptions& options, bool neutral) {
+  options_ = options;
+  neutral_ = neutral;
   for (std::size_t i = 0; i < actors_.size(); ++i) {
-    const Rgb colour = neutral ? NeutralTissue : lobeColour(surfaces_[i].lobe, options.palette);
     for (vtkActor* actor : {actors_[i].Get(), coarse_[i].Get()}) {
-      if (actor == nullptr) continue;
-      actor->GetProperty()->SetColor(colour.r, colour.g, colour.b);
-      // Colours that mean a number must be readable through the veil.
-      const bool valued = breathing_ && !breathing_->quantity.empty();
-      actor->GetProperty()->SetOpacity(
-          std::min(1.0, (valued ? ValuedGain : 1.0) * veilOpacity(options)));
+      if (actor != nullptr) colour(actor, i);
     }
   }
+}
+
+void SurfaceLayer::colour(vtkActor* actor, std::size_t index) const {
+  const Rgb colour = neutral_ ? NeutralTissue : lobeColour(surfaces_[index].lobe, options_.palette);
+  actor->GetProperty()->SetColor(colour.r, colour.g, colour.b);
+  // Colours that mean a number must be readable through the veil.
+  const bool valued = breathing_ && !breathing_->quantity.empty();
+  actor->GetProperty()->SetOpacity(
+      std::min(1.0, (valued ? ValuedGain : 1.0) * veilOpacity(options_)));
 }
 
 void SurfaceLayer::sortBackToFront() {

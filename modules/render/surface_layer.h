@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include <vtkActor.h>
@@ -36,6 +37,10 @@ class SurfaceLayer {
   /// Fewer triangles, where the breathing has them.
   void setInteractive(bool interactive);
 
+  /// The first point of a visible surface in a straight line, where the surfaces stand at the
+  /// moment.
+  std::optional<SurfaceHit> firstHit(const Vec3& from, const Vec3& to) const;
+
   /// How far a point moves at most at the moment, mm.
   double reachMm() const;
 
@@ -61,8 +66,13 @@ class SurfaceLayer {
   Scale valueScale() const;
   void showActors();
   void rebuild(const SceneOptions& options);
+  /// The whole surface, made when it is shown first.
+  vtkActor* fine(std::size_t index);
+  void colour(vtkActor* actor, std::size_t index) const;
 
-  std::vector<vtkSmartPointer<vtkActor>> actors_;
+  SceneOptions options_;
+  bool neutral_ = false;
+  std::vector<vtkSmartPointer<vtkActor>> actors_;  ///< null until they are shown
   std::vector<vtkSmartPointer<vtkActor>> coarse_;  ///< null where there are no fewer triangles
   std::shared_ptr<const BreathingScene> breathing_;
   BreathScale scale_;

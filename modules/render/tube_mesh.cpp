@@ -92,7 +92,8 @@ class Builder {
 
   void add(std::size_t index, const Rgb& colour) {
     const std::vector<Ring> rings = ringsOf(index);
-    const int sides = sidesFor(tree_[index].radiusMm * options_.radiusScale);
+    const int sides = options_.sides > 0 ? options_.sides
+                                         : sidesFor(tree_[index].radiusMm * options_.radiusScale);
     const std::array<std::uint8_t, 3> bytes = bytesOf(colour);
     const std::int32_t first = static_cast<std::int32_t>(mesh_.points.size() / 3);
     Vec3 across = anyPerpendicular(rings.front().axis);
@@ -148,7 +149,7 @@ class Builder {
       prolongation = std::max(prolongation, radius * mitre(last.axis, startDirection(daughter)));
     }
     last.centre += last.axis * prolongation;
-    if (last.radiusMm >= WideMm) roundEnd(rings);
+    if (last.radiusMm >= WideMm && options_.sides == 0) roundEnd(rings);
     return rings;
   }
 
@@ -202,18 +203,18 @@ std::array<std::uint8_t, 3> bytesOf(const Rgb& colour) {
 TubeMesh tubeMesh(const AirwayTree& tree, const std::vector<bool>& visible,
                   const std::vector<Rgb>& colours, const TubeOptions& options) {
   Builder builder(tree, options);
-  if (options.minRadiusMm <= 0.0) builder.reserve(tree.size());
+  builder.reserve(static_cast<std::size_t>(std::ranges::count(visible, true)));
   for (std::size_t i = 0; i < tree.size(); ++i) {
-    if (visible[i] && tree[i].radiusMm >= options.minRadiusMm) builder.add(i, colours[i]);
+    if (visible[i]) builder.add(i, colours[i]);
   }
   return builder.take();
 }
 
 LineMesh lineMesh(const AirwayTree& tree, const std::vector<bool>& visible,
-                  const std::vector<Rgb>& colours, double maxRadiusMm) {
+                  const std::vector<Rgb>& colours) {
   LineMesh mesh;
   for (std::size_t i = 0; i < tree.size(); ++i) {
-    if (!visible[i] || tree[i].radiusMm >= maxRadiusMm) continue;
+    if (!visible[i]) continue;
     const std::array<std::uint8_t, 3> bytes = bytesOf(colours[i]);
     const std::vector<CentrelinePoint> line = centreline(tree[i], 1.0);
     for (std::size_t k = 0; k < line.size(); ++k) {

@@ -29,7 +29,7 @@ struct LineMesh {
 /// Which branches become tubes, and how thick.
 struct TubeOptions {
   double radiusScale = 1.0;
-  double minRadiusMm = 0.0;  ///< thinner branches are left out
+  int sides = 0;  ///< of every tube, whose ends are flat then; 0: by its radius
 };
 
 /// Tubes true to radius. Measured branches follow their centreline with its radii, rings mitred at
@@ -40,9 +40,9 @@ struct TubeOptions {
 TubeMesh tubeMesh(const AirwayTree& tree, const std::vector<bool>& visible,
                   const std::vector<Rgb>& colours, const TubeOptions& options);
 
-/// The visible branches thinner than `maxRadiusMm` as lines.
+/// The visible branches as lines.
 LineMesh lineMesh(const AirwayTree& tree, const std::vector<bool>& visible,
-                  const std::vector<Rgb>& colours, double maxRadiusMm);
+                  const std::vector<Rgb>& colours);
 
 std::array<std::uint8_t, 3> bytesOf(const Rgb& colour);
 

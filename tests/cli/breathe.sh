@@ -93,6 +93,16 @@ succeeds "a lobe with emphysema" breathe lobes -o soft.pvd --frames 2 --emphysem
 keeps breathe
 prints '"lobe": "LLL"'
 expect "the left lung takes no more of the breath than by its volume" awk '/"least_ml"/ { least = $2 + 0 } /"most_ml"/ { gain[n++] = $2 - least } END { exit gain[1] > 1.05 * gain[0] ? 0 : 1 }' "$logs/out"
+succeeds "a pneumothorax" breathe lobes tree.vtp -o air.pvd --frames 2 --scenario pneumothorax --json
+keeps breathe
+expect "the air around the lung is not told" grep -q '"gap_ml": [1-9][0-9][0-9]' "$logs/out"
+expect "there is no chest wall" test -s air_chest_wall_0001.vtp
+expect "the collection does not name the chest wall" grep -q 'part="2" file="air_chest_wall_0001.vtp"' air.pvd
+expect "the air does not keep its volume" awk -F, '
+  NR == 1 { for (i = 1; i <= NF; i++) if ($i == "pleural_gap_ml") c = i; next }
+  NR == 2 { gap = $c }
+  { if ($c < 100 || $c - gap > 1e-3 || gap - $c > 1e-3) exit 1 }' air.csv
+refuses "an onion skin without pictures" 2 'onion-skin requires --pictures' breathe lobes -o none.pvd --onion-skin
 refuses "a region without a factor" 2 'says no stiffness' breathe lobes -o none.pvd --stiffness LLL
 refuses "a region that is none" 2 'neither a lobe .* nor a ball' breathe lobes -o none.pvd --stiffness 1,2,3=5
 refuses "a region too stiff" 2 '0.01 to 100' breathe lobes -o none.pvd --stiffness LLL=1000

@@ -6,6 +6,7 @@
 
 #include "document/breath_player.h"
 #include "document/document.h"
+#include "document/region_editor.h"
 #include "geometry/test_surfaces.h"
 #include "io/surface_file.h"
 
@@ -78,6 +79,77 @@ TEST_F(BreathingTest, VolumesAtAnyMomentAreTheCurves) {
     for (const auto& [side, volume] : breath.lungs.volume) rest += volume.a[0] / 1000.0;
     EXPECT_NEAR(sum - rest, 1000.0 * breath.lungs.cycle.at(phase).volume, 1e-3) << phase;
   }
+}
+
+TEST_F(BreathingTest, ABreathOfOneFrameMovesToo) {
+  BreatheOptions options;
+  options.frames = 1;
+  document.setBreatheOptions(options);
+  breathe();
+  const Breath& breath = *document.snapshot().breath;
+  const double full = fullestPhase(breath.lungs);
+  EXPECT_NEAR(volumeMlAt(breath, full) - volumeMlAt(breath, 0.0), 1000.0 * breath.lungs.cycle.tidal,
+              1.0);
+  EXPECT_GT(scaleAt(breath, full).right, 0.9);
+  EXPECT_GT(breath.farthestMm, 2.0);
+}
+
+TEST_F(BreathingTest, ShowsTheChestWallOfAPneumothoraxAndTheEndsOfTheBreath) {
+  using Of = BreathingScene::Shell::Of;
+  breathe();
+  const auto count = [&](Of of) {
+    return std::ranges::count(document.snapshot().breath->scenes[0]->shells, of,
+                              &BreathingScene::Shell::of);
+  };
+  EXPECT_EQ(count(Of::ChestWall), 0);
+  EXPECT_EQ(count(Of::Expiration), 2);
+  EXPECT_EQ(count(Of::Inspiration), 2);
+  BreatheOptions options;
+  options.scenario = Breathing::Pneumothorax;
+  document.setBreatheOptions(options);
+  breathe();
+  EXPECT_EQ(count(Of::ChestWall), 1);
+  const Breath& breath = *document.snapshot().breath;
+  EXPECT_GT(scaleAt(breath, fullestPhase(breath.lungs)).chestWall, 0.9);
+  const auto& rows = breathSheet(breath).rows;
+  EXPECT_TRUE(std::ranges::any_of(
+      rows, [](const PropertyRow& row) { return row.label == "Pleural gap"; }));
+}
+
+TEST_F(BreathingTest, BallsArePlacedChangedRemovedAndTakenBack) {
+  using Placing = RegionEditor::Placing;
+  RegionEditor editor(document);
+  const Vec3 place(-133.0, 0.0, 0.0);
+  editor.placeAt(Lobe::RightLung, place);
+  EXPECT_TRUE(editor.regions().empty()) << "clicks place nothing until they shall";
+  editor.setPlacing(Placing::Lobe);
+  editor.placeAt(Lobe::RightLung, place);
+  EXPECT_TRUE(editor.regions().empty()) << "a whole lung has no lobes";
+  editor.setPlacing(Placing::Ball);
+  editor.setFactor(8.0);
+  editor.setRadius(25.0);
+  editor.placeAt(Lobe::RightLung, place);
+  ASSERT_EQ(editor.regions().size(), 1U);
+  EXPECT_EQ(editor.regions()[0], (StiffnessRegion{Lobe::Whole, place, 25.0, 8.0}));
+  EXPECT_EQ(document.breatheOptions().regions, editor.regions());
+  ASSERT_EQ(editor.balls().size(), 1U);
+  EXPECT_TRUE(editor.balls()[0].chosen && editor.balls()[0].stiff);
+  editor.setFactor(0.5);
+  EXPECT_EQ(editor.regions()[0].factor, 0.5);
+  breathe();
+  EXPECT_EQ(editor.balls()[0].side, Side::Right);
+  EXPECT_GT(editor.balls()[0].displacement.norm(), 0.1);
+  document.undo();
+  document.undo();
+  EXPECT_EQ(editor.regions()[0].factor, 8.0);
+  EXPECT_EQ(document.breatheOptions().regions[0].factor, 8.0);
+  document.undo();
+  EXPECT_TRUE(editor.regions().empty());
+  EXPECT_TRUE(document.breatheOptions().regions.empty());
+  document.redo();
+  editor.choose(0);
+  editor.removeChosen();
+  EXPECT_TRUE(editor.regions().empty());
 }
 
 TEST_F(BreathingTest, ScenesHaveAMotionForEverySurface) {

@@ -165,6 +165,49 @@ TEST(Breathe, ACollapsedLungIsSmallAndTakesLessOfTheBreath) {
   EXPECT_FALSE(lungs.warnings.empty());
 }
 
+TEST(Breathe, HasAFrameForAnyMoment) {
+  const BreathingLungs lungs = breathing(Breathing::CopdSevere, 1);
+  for (const double phase : {0.0, 0.13, 0.4, 0.77, 1.2}) {
+    const BreathFrame frame = frameAt(lungs, phase);
+    EXPECT_NEAR(frame.phase, phase - std::floor(phase), 1e-15);
+    for (const auto& [side, volume] : lungs.volume) {
+      const double taken = lungs.share.at(side) * 1000.0 * lungs.cycle.at(phase).volume;
+      EXPECT_NEAR(volume.at(frame.scale.at(side)) / 1000.0, volume.a[0] / 1000.0 + taken, 1e-6);
+      EXPECT_NEAR(frame.volumeMl.at(side), volume.a[0] / 1000.0 + taken, 1e-6);
+    }
+  }
+  EXPECT_EQ(lungs.frames[0].volumeMl, frameAt(lungs, 0.0).volumeMl);
+  const double least = frameAt(lungs, emptiestPhase(lungs)).breath.volume;
+  const double most = frameAt(lungs, fullestPhase(lungs)).breath.volume;
+  EXPECT_NEAR(least, lungs.cycle.trapped, 1e-9);
+  EXPECT_NEAR(most - least, lungs.cycle.tidal, 1e-9);
+}
+
+TEST(Breathe, RefusesABreathThatFoldsBetweenTheMomentsThatAreWritten) {
+  BreatheOptions options;
+  options.frames = 1;
+  options.tidalMl = 9999.0;
+  EXPECT_THROW(breathe(grownChest(), options), InvalidInput);
+}
+
+TEST(Breathe, TheChestWallStandsWhereTheCollapsedLungWasAndKeepsItsDistance) {
+  const BreathingLungs lungs = breathing(Breathing::Pneumothorax);
+  EXPECT_FALSE(breathing(Breathing::Quiet, 1).chestWall.has_value());
+  ASSERT_TRUE(lungs.chestWall.has_value());
+  const LungMotion& chest = *lungs.chestWall;
+  EXPECT_EQ(chest.side(), Side::Left);
+  const double healthyMl = breathing(Breathing::Quiet, 1).motion.at(Side::Left).restMm3() / 1000.0;
+  EXPECT_NEAR(chest.restMm3() / 1000.0, healthyMl, 1e-3);
+  EXPECT_NEAR(pleuralGapMl(lungs), 0.55 * healthyMl, 1.0);
+  double moved = 0.0;
+  for (const BreathFrame& frame : lungs.frames) {
+    const double wallMl = chest.volume().at(frame.chestWallScale) / 1000.0;
+    EXPECT_NEAR(wallMl - frame.volumeMl.at(Side::Left), pleuralGapMl(lungs), 1e-6);
+    moved = std::max(moved, wallMl - healthyMl);
+  }
+  EXPECT_GT(moved, 10.0);
+}
+
 TEST(Breathe, RefusesWhatCannotBreathe) {
   EXPECT_THROW(breathe({}, {}), InvalidInput);
   LungModel apart = grownChest();

@@ -232,5 +232,82 @@ TEST(BreathingScene, CoarseSurfacesAreFewTrianglesBetweenTheSamePoints) {
   EXPECT_EQ(few.surfaces[0].coarse, nullptr);
 }
 
+BreathingScene::Shell chestWall() {
+  const TriangleMesh wall = test::ellipsoid(LeftCentre, {58.0, 84.0, 120.0});
+  return shellOf(BreathingScene::Shell::Of::ChestWall, Side::Left, wall, displacements(wall));
+}
+
+Picture drawn(const BreathingScene& breathing, const BreathScale& scale, bool onionSkin = false) {
+  Scene scene;
+  scene.setOptions(plain());
+  scene.setSurfaces(surfaces());
+  scene.look({});
+  scene.setBreathing(std::make_shared<const BreathingScene>(breathing));
+  scene.setBreath(scale);
+  scene.setOnionSkin(onionSkin);
+  return renderPicture(scene, Width, Height);
+}
+
+TEST(BreathingScene, AChestWallStandsAroundTheLungAndMovesByItsOwnScale) {
+  const BreathingScene bare = breathing();
+  BreathingScene walled = bare;
+  walled.shells.push_back(chestWall());
+  EXPECT_GT(channelsThatDiffer(drawn(bare, {}), drawn(walled, {})), 2000U);
+  EXPECT_GT(channelsThatDiffer(drawn(walled, {}), drawn(walled, {0.0, 0.0, 1.0})), 2000U);
+  BreathingScene stands = bare;
+  stands.shells.push_back(chestWall());
+  auto moved = std::make_shared<TriangleMesh>(*stands.shells[0].mesh);
+  for (Vec3& p : moved->points) p += displacementAt(p);
+  stands.shells[0].mesh = std::move(moved);
+  // Normals of moved points are linear in s.
+  EXPECT_LT(channelsThatDiffer(drawn(walled, {0.0, 0.0, 1.0}), drawn(stands, {})), 50U);
+}
+
+TEST(BreathingScene, AnOnionSkinShowsTheEndsOfTheBreathWhereverTheLungsAre) {
+  const BreathingScene bare = breathing();
+  BreathingScene skinned = bare;
+  addOnionSkin(skinned, {surfaces()[0].mesh, surfaces()[1].mesh}, {}, {1.0, 1.0});
+  ASSERT_EQ(skinned.shells.size(), 4U);
+  EXPECT_EQ(drawn(bare, {}).rgb, drawn(skinned, {}).rgb) << "it is off at first";
+  EXPECT_GT(channelsThatDiffer(drawn(bare, {}), drawn(skinned, {}, true)), 2000U);
+}
+
+TEST(BreathingScene, AnOnionSkinLeavesOutWhatLobesShare) {
+  const Vec3 a(0.0, 0.0, 0.0), b(10.0, 0.0, 0.0), c(0.0, 10.0, 0.0);
+  const auto upper = std::make_shared<const TriangleMesh>(
+      TriangleMesh{{a, b, c, {3.0, 3.0, 10.0}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}});
+  const auto lower = std::make_shared<const TriangleMesh>(
+      TriangleMesh{{a, b, c, {3.0, 3.0, -10.0}}, {{0, 1, 2}, {1, 0, 3}, {2, 1, 3}, {0, 2, 3}}});
+  BreathingScene scene;
+  scene.surfaces = {{Side::Right, std::vector<Vec3>(4, Vec3::Zero()), {}},
+                    {Side::Right, std::vector<Vec3>(4, Vec3::Zero()), {}}};
+  addOnionSkin(scene, {upper, lower}, {}, {});
+  ASSERT_EQ(scene.shells.size(), 4U);
+  for (const BreathingScene::Shell& shell : scene.shells) {
+    EXPECT_EQ(shell.mesh->triangles.size(), 3U);
+  }
+}
+
+TEST(BreathingScene, ABallMovesWithItsLung) {
+  const auto picture = [](std::vector<SceneBall> balls, const BreathScale& scale) {
+    Scene scene;
+    scene.setOptions(plain());
+    scene.setSurfaces(surfaces());
+    scene.look({});
+    scene.setBalls(std::move(balls));
+    scene.setBreathing(std::make_shared<const BreathingScene>(breathing()));
+    scene.setBreath(scale);
+    return renderPicture(scene, Width, Height);
+  };
+  SceneBall ball{RightCentre, 20.0, true, false, Side::Right, Vec3(0.0, 0.0, -15.0)};
+  const BreathScale full{1.0, 1.0};
+  EXPECT_GT(channelsThatDiffer(picture({}, full), picture({ball}, full)), 500U);
+  SceneBall moved = ball;
+  moved.centre += moved.displacement;
+  moved.displacement.setZero();
+  EXPECT_EQ(channelsThatDiffer(picture({ball}, full), picture({moved}, full)), 0U);
+  EXPECT_GT(channelsThatDiffer(picture({ball}, {}), picture({moved}, {})), 500U);
+}
+
 }  // namespace
 }  // namespace pneuma

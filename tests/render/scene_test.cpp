@@ -55,6 +55,34 @@ TEST_F(SceneInAWindow, FindsTheBranchUnderAPixel) {
   EXPECT_EQ(scene_.branchAt(2.0, 2.0), std::nullopt);
 }
 
+TEST_F(SceneInAWindow, FindsTheSurfaceUnderAPixelWhereItStandsAndSaysWhereThatIsAtRest) {
+  const auto near = std::make_shared<const TriangleMesh>(
+      TriangleMesh{{{-50, -20, -50}, {50, -20, -50}, {0, -20, 60}}, {{0, 1, 2}}});
+  const auto far = std::make_shared<const TriangleMesh>(
+      TriangleMesh{{{-50, 20, -50}, {50, 20, -50}, {0, 20, 60}}, {{0, 1, 2}}});
+  scene_.setSurfaces({{Lobe::RightLower, far}, {Lobe::RightUpper, near}});
+  scene_.look(viewDirection("A"));
+  scene_.updateAnnotations();
+  Vec3 pixel = pixelOf(Vec3(5, -20, 0));
+  auto hit = scene_.surfaceAt(pixel.x(), pixel.y());
+  ASSERT_TRUE(hit);
+  EXPECT_EQ(hit->surface, 1U);
+  EXPECT_NEAR((hit->place - Vec3(5, -20, 0)).norm(), 0.0, 0.2);
+  EXPECT_FALSE(scene_.surfaceAt(2.0, 2.0));
+  scene_.setSurfaceVisible(1, false);
+  EXPECT_EQ(scene_.surfaceAt(pixel.x(), pixel.y())->surface, 0U);
+  scene_.setSurfaceVisible(1, true);
+  auto breathing = std::make_shared<BreathingScene>();
+  const std::vector<Vec3> down(3, Vec3(0, 0, -30));
+  breathing->surfaces = {{Side::Right, down, {}}, {Side::Right, down, {}}};
+  scene_.setBreathing(breathing);
+  scene_.setBreath({1.0, 1.0});
+  pixel = pixelOf(Vec3(5, -20, -30));
+  hit = scene_.surfaceAt(pixel.x(), pixel.y());
+  ASSERT_TRUE(hit);
+  EXPECT_NEAR((hit->place - Vec3(5, -20, 0)).norm(), 0.0, 0.2);
+}
+
 TEST_F(SceneInAWindow, OfTwoBranchesFindsTheNearer) {
   AirwayTree tree;
   Branch branch;

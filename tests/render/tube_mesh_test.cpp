@@ -95,7 +95,7 @@ TEST(TubeMesh, DaughterBeginsInsideTheProlongedMother) {
   }
 }
 
-TEST(TubeMesh, HiddenAndThinBranchesAreLeftOut) {
+TEST(TubeMesh, HiddenBranchesAreLeftOut) {
   const auto tree = test::generatedTree(3);
   std::vector<bool> visible(tree->size(), false);
   visible[0] = true;
@@ -104,7 +104,13 @@ TEST(TubeMesh, HiddenAndThinBranchesAreLeftOut) {
             tubeMesh(*tree, std::vector<bool>(tree->size(), true), colours, {}).points.size());
   visible[0] = false;
   EXPECT_TRUE(tubeMesh(*tree, visible, colours, {}).points.empty());
-  EXPECT_TRUE(meshOf(*tree, {.minRadiusMm = 100.0}).points.empty());
+}
+
+TEST(TubeMesh, TakesFewerSidesAndFlatEndsWhereTheyAreAskedFor) {
+  AirwayTree tree;
+  tree.add(straight(-1, {0, 0, 0}, {0, 0, 30}, 8.0));
+  EXPECT_EQ(meshOf(tree, {.sides = 5}).points.size(), 3U * 5U * 3U);  // two rings and its mouth
+  EXPECT_GT(meshOf(tree).points.size(), 3U * 20U * 3U);
 }
 
 TEST(TubeMesh, BranchWithoutLengthHasFinitePoints) {
@@ -120,10 +126,10 @@ TEST(LineMesh, FollowsTheCentreline) {
   Branch branch = straight(-1, {0, 0, 0}, {0, 0, 30}, 0.5);
   branch.via = {{{0, 2, 10}, 0.5}, {{0, 2, 20}, 0.5}};
   tree.add(branch);
-  const LineMesh mesh = lineMesh(tree, {true}, {Rgb{1, 0, 0}}, 1.0);
+  const LineMesh mesh = lineMesh(tree, {true}, {Rgb{1, 0, 0}});
   EXPECT_EQ(mesh.segments.size(), 6U);
   EXPECT_EQ(mesh.colours[0], 255);
-  EXPECT_TRUE(lineMesh(tree, {true}, {Rgb{}}, 0.1).segments.empty());
+  EXPECT_TRUE(lineMesh(tree, {false}, {Rgb{}}).segments.empty());
 }
 
 }  // namespace

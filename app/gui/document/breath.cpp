@@ -11,7 +11,6 @@ namespace pneuma {
 namespace {
 
 constexpr std::size_t MovingTriangles = 25000;  // of all surfaces, while they move
-constexpr double Mm3PerMl = 1000.0;
 constexpr double MlPerLitre = 1000.0;
 
 /// What colours the points of a surface, at the deepest of the breath.
@@ -27,14 +26,11 @@ std::vector<double> valuesOf(const MovingSurface& surface, BreathColour colour, 
   return values;
 }
 
-/// What the lung takes in and out is its share of both lungs'.
-double volumeOf(const Breath& breath, Side side, double litres) {
-  const auto [least, most] = std::ranges::minmax_element(
-      breath.lungs.frames, {}, [](const BreathFrame& frame) { return frame.breath.volume; });
-  const double range = most->breath.volume - least->breath.volume;
-  if (!(range > 0.0)) return least->volumeMl.at(side);
-  const double share = (most->volumeMl.at(side) - least->volumeMl.at(side)) / range;
-  return least->volumeMl.at(side) + share * (litres - least->breath.volume);
+BreathScale scaleOf(const BreathFrame& frame) {
+  BreathScale scale;
+  for (const auto& [side, s] : frame.scale) (side == Side::Right ? scale.right : scale.left) = s;
+  scale.chestWall = frame.chestWallScale;
+  return scale;
 }
 
 }  // namespace
@@ -56,10 +52,10 @@ std::shared_ptr<const Breath> breathOf(const LungModel& model, BreathingLungs lu
     meshes.push_back(moves ? found->surface.mesh : surface.mesh);
     breath->surfaces.push_back({surface.lobe, meshes.back()});
   }
-  const BreathFrame& deepest = *std::ranges::max_element(
-      breath->lungs.frames, {}, [](const BreathFrame& frame) { return frame.breath.volume; });
+  const BreathScale deepest = scaleOf(frameAt(breath->lungs, fullestPhase(breath->lungs)));
+  const BreathScale emptiest = scaleOf(frameAt(breath->lungs, emptiestPhase(breath->lungs)));
   for (const MovingSurface& surface : breath->lungs.surfaces) {
-    const double s = deepest.scale.at(surface.side);
+    const double s = deepest.of(surface.side);
     for (const Vec3& u : surface.displacement) {
       breath->farthestMm = std::max(breath->farthestMm, s * u.norm());
     }
@@ -75,7 +71,7 @@ std::shared_ptr<const Breath> breathOf(const LungModel& model, BreathingLungs lu
       if (moving[i] != nullptr) {
         surface.side = moving[i]->side;
         surface.displacement = moving[i]->displacement;
-        surface.values = valuesOf(*moving[i], colour, deepest.scale.at(surface.side));
+        surface.values = valuesOf(*moving[i], colour, deepest.of(surface.side));
       } else {
         surface.displacement.assign(meshes[i]->points.size(), Vec3::Zero());
         if (colour != BreathColour::Lobe) surface.values.assign(meshes[i]->points.size(), 0.0);
@@ -87,27 +83,27 @@ std::shared_ptr<const Breath> breathOf(const LungModel& model, BreathingLungs lu
       scene->surfaces.push_back(std::move(surface));
     }
     addCoarseSurfaces(*scene, meshes, MovingTriangles);
+    if (const auto& first = breath->scenes.front(); first != nullptr) {
+      scene->shells = first->shells;
+    } else {
+      addOnionSkin(*scene, meshes, emptiest, deepest);
+      if (const auto& chest = breath->lungs.chestWall) {
+        scene->shells.push_back(shellOf(BreathingScene::Shell::Of::ChestWall, chest->side(),
+                                        chest->wall(), chest->ofWall()));
+      }
+    }
     breath->scenes[static_cast<std::size_t>(colour)] = std::move(scene);
   }
   return breath;
 }
 
 BreathScale scaleAt(const Breath& breath, double phase) {
-  const double litres = breath.lungs.cycle.at(phase).volume;
-  BreathScale scale;
-  for (const auto& [side, motion] : breath.lungs.motion) {
-    const double s =
-        motion.scaleFor(breath.lungs.volume.at(side), Mm3PerMl * volumeOf(breath, side, litres));
-    (side == Side::Right ? scale.right : scale.left) = s;
-  }
-  return scale;
+  return scaleOf(frameAt(breath.lungs, phase));
 }
 
 double volumeMlAt(const Breath& breath, double phase) {
   double sum = 0.0;
-  for (const auto& [side, motion] : breath.lungs.motion) {
-    sum += volumeOf(breath, side, breath.lungs.cycle.at(phase).volume);
-  }
+  for (const auto& [side, ml] : frameAt(breath.lungs, phase).volumeMl) sum += ml;
   return sum;
 }
 
@@ -125,6 +121,10 @@ PropertySheet breathSheet(const Breath& breath) {
   if (cycle.trapped > 0.01) {
     sheet.rows.push_back(
         {QStringLiteral("Trapped"), withUnit(MlPerLitre * cycle.trapped, 0, "mL")});
+  }
+  if (breath.lungs.chestWall) {
+    sheet.rows.push_back(
+        {QStringLiteral("Pleural gap"), withUnit(pleuralGapMl(breath.lungs), 0, "mL")});
   }
   sheet.rows.push_back({QStringLiteral("Farthest way"), withUnit(breath.farthestMm, 1, "mm")});
   for (const Json& check : breath.report.at("checks")) {

@@ -61,6 +61,12 @@ void BreathPlayer::setColour(BreathColour colour) {
   emit changed();
 }
 
+void BreathPlayer::setOnionSkin(bool on) {
+  if (on == onionSkin_) return;
+  onionSkin_ = on;
+  emit changed();
+}
+
 void BreathPlayer::tick() {
   const double seconds = static_cast<double>(sinceTick_.restart()) / 1000.0;
   setPhase(phase_ + speed_ * seconds / breath_->lungs.drive.period);

@@ -44,11 +44,16 @@ class BreathPlayer : public QObject {
 
   void setColour(BreathColour colour);
 
+  /// True if the ends of expiration and inspiration are shown, too.
+  bool onionSkin() const { return onionSkin_; }
+
+  void setOnionSkin(bool on);
+
  signals:
   /// It stands elsewhere.
   void moved();
 
-  /// Another breath, another colour, playing or not, another speed.
+  /// Another breath, another colour, onion skin or not, playing or not, another speed.
   void changed();
 
  private:
@@ -56,6 +61,7 @@ class BreathPlayer : public QObject {
 
   std::shared_ptr<const Breath> breath_;
   BreathColour colour_ = BreathColour::Lobe;
+  bool onionSkin_ = false;
   double phase_ = 0.0;
   double speed_ = 1.0;
   QElapsedTimer sinceTick_;

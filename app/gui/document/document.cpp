@@ -273,6 +273,7 @@ void Document::become(Snapshot next, const QString& stepName, StepKind kind) {
   if (undo_.size() > UndoSteps) undo_.erase(undo_.begin());
   redo_.clear();
   snapshot_ = std::move(next);
+  followRegions();
   emit changed();
 }
 
@@ -282,6 +283,7 @@ void Document::undo() {
   undo_.pop_back();
   redo_.push_back({step.name, std::exchange(snapshot_, std::move(step.snapshot))});
   emit said(tr("Undone: %1").arg(step.name));
+  followRegions();
   emit changed();
   if (!snapshot_.model.lobes) follow();
 }
@@ -292,6 +294,7 @@ void Document::redo() {
   redo_.pop_back();
   undo_.push_back({step.name, std::exchange(snapshot_, std::move(step.snapshot))});
   emit said(tr("Redone: %1").arg(step.name));
+  followRegions();
   emit changed();
   if (!snapshot_.model.lobes) follow();
 }

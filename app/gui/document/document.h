@@ -80,6 +80,11 @@ class Document : public QObject {
 
   void setBreatheOptions(const BreatheOptions& options);
 
+  /// Sets which parts of the lungs are stiffer or softer in the next breath. Can be undone. Not
+  /// while a job runs.
+  /// @param what was done, for example "place a ball"
+  void setRegions(std::vector<StiffnessRegion> regions, const QString& what);
+
   /// True if there are lungs or lobes that can breathe.
   bool canBreathe() const;
 
@@ -251,6 +256,8 @@ class Document : public QObject {
   /// False, and says so, if fissures cannot be edited because of another job.
   bool mayEdit();
   bool sheetsKnown() const;
+  /// Makes the snapshot's regions those of the next breath.
+  void followRegions();
   void fail(const QString& title, const QString& sentence);
 
   Snapshot snapshot_;

@@ -16,6 +16,19 @@ void Document::setBreatheOptions(const BreatheOptions& options) {
   emit breatheOptionsChanged();
 }
 
+void Document::setRegions(std::vector<StiffnessRegion> regions, const QString& what) {
+  if (jobs_.busy() || regions == snapshot_.regions) return;
+  Snapshot next = snapshot_;
+  next.regions = std::move(regions);
+  become(std::move(next), what);
+}
+
+void Document::followRegions() {
+  BreatheOptions options = breatheOptions_;
+  options.regions = snapshot_.regions;
+  setBreatheOptions(options);
+}
+
 bool Document::canBreathe() const {
   if (!snapshot_.model.surfaces) return false;
   for (const LobeSurface& surface : *snapshot_.model.surfaces) {

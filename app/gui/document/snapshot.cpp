@@ -72,6 +72,7 @@ Snapshot nextSnapshot(const Snapshot& before, LungModel model) {
   if (sameLungs) return next;
   next.lungs = lungsOf(next.model);
   next.lobeEdits = next.splitEdits = {};
+  next.regions.clear();
   next.traces = nullptr;
   next.reviews.clear();
   return next;

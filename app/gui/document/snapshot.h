@@ -11,6 +11,7 @@
 #include "pipeline/lobe_edits.h"
 #include "pipeline/lung_model.h"
 #include "pipeline/lung_shape.h"
+#include "pipeline/stiffness_region.h"
 
 namespace pneuma {
 
@@ -30,6 +31,7 @@ struct Snapshot {
   std::shared_ptr<const FissureTraces> traces{};  ///< of edits that may be older; null: none yet
   std::map<Fissure, FissureReview> reviews{};
   std::shared_ptr<const std::vector<LobeSurface>> grownIn{};  ///< the surfaces of model.growth
+  std::vector<StiffnessRegion> regions{};                     ///< for the next breath
   std::shared_ptr<const Breath> breath{};  ///< of the surfaces and the tree; null: none yet
   std::uint64_t revision = 0;              ///< another one for every other state of the work
 };

@@ -94,6 +94,8 @@ Actions makeActions(QWidget* window) {
   a.breathe = action(window, "actionBreathe", tr("&Breathe"), {keys("Ctrl+Shift+B")});
   a.playBreath = action(window, "actionPlayBreath", tr("&Play the breath"), {}, "play");
   a.playBreath->setCheckable(true);
+  a.onionSkin = action(window, "actionOnionSkin", tr("&Onion skin"));
+  a.onionSkin->setCheckable(true);
   a.saveBreath = action(window, "actionSaveBreath", tr("Save &breath..."), {}, "save");
   a.cancel = action(window, "actionCancel", tr("&Cancel the running job"), {keys("Esc")}, "close");
   static const std::array<const char*, 6> names = {
@@ -141,7 +143,7 @@ void fillMenus(QMenuBar& bar, const Actions& a) {
   QMenu* view = bar.addMenu(QObject::tr("&View"));
   for (QAction* named : a.views) view->addAction(named);
   view->addSeparator();
-  view->addActions({a.resetView, a.playBreath, a.theme});
+  view->addActions({a.resetView, a.playBreath, a.onionSkin, a.theme});
   fillSliceMenu(*bar.addMenu(QObject::tr("&Slices")), a.slices);
   QMenu* help = bar.addMenu(QObject::tr("&Help"));
   help->addAction(a.about);

@@ -45,6 +45,7 @@ struct Actions {
   QAction* grow = nullptr;
   QAction* breathe = nullptr;
   QAction* playBreath = nullptr;  ///< checkable; its key acts in the 3-D view
+  QAction* onionSkin = nullptr;   ///< checkable
   QAction* saveBreath = nullptr;
   QAction* cancel = nullptr;
   std::array<QAction*, 6> views{};

@@ -11,12 +11,14 @@
 #include "widgets/actions.h"
 #include "widgets/heading.h"
 #include "widgets/options_form.h"
+#include "widgets/regions_card.h"
 #include "widgets/scrolled.h"
 #include "widgets/sheet_card.h"
 
 namespace pneuma {
 
-BreathingPanel::BreathingPanel(Document& document, const Actions& actions, QWidget* parent)
+BreathingPanel::BreathingPanel(Document& document, RegionEditor& regions, const Actions& actions,
+                               QWidget* parent)
     : QWidget(parent), document_(document) {
   auto* content = new QWidget;
   auto* column = new QVBoxLayout(content);
@@ -27,6 +29,10 @@ BreathingPanel::BreathingPanel(Document& document, const Actions& actions, QWidg
   column->addWidget(new OptionsForm(
       model_, {"scenario", "posture", "tidal", "period", "motion", "model", "affected", "frames"}));
   column->addWidget(actionButton(actions.breathe, "breathe", "primary"));
+  column->addSpacing(4);
+  column->addWidget(heading(tr("Stiff and soft parts")));
+  regions_ = new RegionsCard(regions);
+  column->addWidget(regions_);
   note_ = new QLabel;
   note_->setObjectName(QStringLiteral("breathingNote"));
   note_->setProperty("role", "dim");
@@ -47,12 +53,14 @@ BreathingPanel::BreathingPanel(Document& document, const Actions& actions, QWidg
           [this] { document_.setBreatheOptions(model_.options<BreatheOptions>()); });
   connect(&document_, &Document::breatheOptionsChanged, this, &BreathingPanel::follow);
   connect(&document_, &Document::changed, this, &BreathingPanel::follow);
+  connect(&document_.jobs(), &JobQueue::busyChanged, this, &BreathingPanel::follow);
   follow();
 }
 
 void BreathingPanel::follow() {
   const BreatheOptions& options = document_.breatheOptions();
   if (!(model_.options<BreatheOptions>() == options)) model_.bind(options);
+  regions_->setChangeable(document_.canBreathe() && !document_.jobs().busy());
   note_->setText(note());
   note_->setVisible(!note_->text().isEmpty());
   const auto& breath = document_.snapshot().breath;

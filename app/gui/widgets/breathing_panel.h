@@ -10,6 +10,8 @@ namespace pneuma {
 
 struct Actions;
 class Document;
+class RegionEditor;
+class RegionsCard;
 class SheetCard;
 
 /// Step "Breathing": how the lungs shall breathe, what the breath is like, and its checks.
@@ -17,7 +19,8 @@ class BreathingPanel : public QWidget {
   Q_OBJECT
 
  public:
-  BreathingPanel(Document& document, const Actions& actions, QWidget* parent = nullptr);
+  BreathingPanel(Document& document, RegionEditor& regions, const Actions& actions,
+                 QWidget* parent = nullptr);
 
  private:
   void follow();
@@ -25,6 +28,7 @@ class BreathingPanel : public QWidget {
 
   Document& document_;
   OptionsModel model_;
+  RegionsCard* regions_;
   QLabel* note_;
   QLabel* heading_;
   SheetCard* breath_;

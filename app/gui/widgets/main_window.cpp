@@ -168,6 +168,7 @@ void MainWindow::goTo(Step step) {
   if (step != LungsStep) lungsPanel_->endPreview();
   fissureViews_->setActive(step == LobesStep);
   if (step != LobesStep) review_.stop();
+  if (step != BreathingStep) regions_.setPlacing(RegionEditor::Placing::Nothing);
   steps_[step]->setChecked(true);
   panels_->setCurrentIndex(step);
   showBreathing();
@@ -313,6 +314,8 @@ void MainWindow::probePoint(const std::optional<Vec3>& point) {
 void MainWindow::cancel() {
   if (fissures_.placing()) {
     fissures_.setPlacing(false);
+  } else if (regions_.placing() != RegionEditor::Placing::Nothing) {
+    regions_.setPlacing(RegionEditor::Placing::Nothing);
   } else if (review_.active()) {
     review_.stop();
   } else if (document_.jobs().busy()) {

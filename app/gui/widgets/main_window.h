@@ -12,6 +12,7 @@
 #include "document/breath_player.h"
 #include "document/document.h"
 #include "document/fissure_editor.h"
+#include "document/region_editor.h"
 #include "document/review_walk.h"
 #include "document/slice_views.h"
 #include "document/structure_model.h"
@@ -62,6 +63,8 @@ class MainWindow : public QMainWindow {
 
   BreathPlayer& player() { return player_; }
 
+  RegionEditor& regions() { return regions_; }
+
   /// A project replaces everything: if work would be lost, asks first.
   void open(std::vector<std::filesystem::path> paths);
 
@@ -110,6 +113,8 @@ class MainWindow : public QMainWindow {
   /// Shows the lungs breathing where that step is, and at rest elsewhere.
   void showBreathing();
   void showMoment();
+  /// Balls that are stiffer or softer, where the step for breathing is.
+  void showRegions();
   void saveBreath();
   /// At rest, or as the step for breathing has it.
   std::shared_ptr<const AirwayTree> treeToShow() const;
@@ -142,6 +147,7 @@ class MainWindow : public QMainWindow {
   FissureEditor fissures_{document_};
   ReviewWalk review_{document_, fissures_, sliceViews_};
   BreathPlayer player_;
+  RegionEditor regions_{document_};
   Actions actions_;
   std::optional<std::size_t> branch_;  ///< the selected one
   std::function<void()> whenSaved_;

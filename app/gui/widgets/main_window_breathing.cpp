@@ -22,6 +22,14 @@ void MainWindow::connectBreathing() {
   });
   connect(actions_.playBreath, &QAction::triggered, &player_, &BreathPlayer::setPlaying);
   connect(actions_.saveBreath, &QAction::triggered, this, &MainWindow::saveBreath);
+  connect(actions_.onionSkin, &QAction::toggled, &player_, &BreathPlayer::setOnionSkin);
+  connect(&regions_, &RegionEditor::changed, this, [this] {
+    showRegions();
+    updateActions();
+  });
+  connect(view_, &SceneView::surfaceClicked, this, [this](std::size_t surface, const Vec3& place) {
+    regions_.placeAt((*document_.model().surfaces)[surface].lobe, place);
+  });
   connect(view_, &SceneView::playToggled, this, [this] { player_.setPlaying(!player_.playing()); });
   connect(view_, &SceneView::stepped, &player_, &BreathPlayer::step);
   connect(&document_, &Document::breatheOptionsChanged, this, &MainWindow::updateSteps);
@@ -30,6 +38,7 @@ void MainWindow::connectBreathing() {
   });
   connect(&player_, &BreathPlayer::changed, this, [this] {
     view_->setPlaying(player_.playing());
+    view_->setOnionSkin(player_.onionSkin());
     if (shownBreath_) showMoment();
     updateBreathingActions();
   });
@@ -44,14 +53,22 @@ void MainWindow::showMoment() {
   view_->setBreath(scaleAt(*shownBreath_, player_.phase()));
 }
 
+void MainWindow::showRegions() {
+  const bool here = steps_[BreathingStep]->isChecked();
+  view_->setPicking(here && regions_.placing() != RegionEditor::Placing::Nothing);
+  view_->setBalls(here ? regions_.balls() : std::vector<SceneBall>());
+}
+
 void MainWindow::showBreathing() {
   const bool here = steps_[BreathingStep]->isChecked();
+  showRegions();
   const auto breath = here ? document_.snapshot().breath : nullptr;
   charts_->setCurrentIndex(here ? 1 : 0);
   setHeading(*chartHeading_, here ? tr("Volume and pressure") : tr("Branches per generation"));
   if (breath == shownBreath_) return;
   shownBreath_ = breath;
   if (breath) {
+    view_->setPlaying(true);  // before anything is made that is shown only once they stand
     view_->setSurfaces(breath->surfaces);
   } else {
     std::vector<SceneSurface> surfaces;
@@ -88,6 +105,10 @@ void MainWindow::updateBreathingActions() {
   actions_.saveBreath->setEnabled(breath && !busy);
   actions_.saveBreath->setToolTip(breath ? tr("A frame for every moment, for ParaView")
                                          : tr("Nothing breathes yet"));
+  actions_.onionSkin->setEnabled(player_.breath() != nullptr);
+  actions_.onionSkin->setChecked(player_.onionSkin());
+  actions_.onionSkin->setToolTip(
+      tr("Show where the lungs are at the ends of expiration and inspiration, too"));
   actions_.playBreath->setEnabled(player_.breath() != nullptr);
   actions_.playBreath->setChecked(player_.playing());
   actions_.playBreath->setToolTip(player_.playing() ? tr("Stand still (Space in the 3-D view)")

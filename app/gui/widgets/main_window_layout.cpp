@@ -137,7 +137,7 @@ QWidget* MainWindow::makeRail() {
   panels_->addWidget(lungsPanel_);
   panels_->addWidget(new LobesPanel(document_, fissures_, review_, sliceViews_, actions_));
   panels_->addWidget(new GrowthPanel(document_, actions_));
-  panels_->addWidget(new BreathingPanel(document_, actions_));
+  panels_->addWidget(new BreathingPanel(document_, regions_, actions_));
   panels_->addWidget(exportPanel_);
   column->addWidget(panels_, 1);
   return rail;

@@ -54,7 +54,8 @@ void MainWindow::updateActions() {
   }
   actions_.packCt->setEnabled(ct && !busy);
   for (QAction* recent : actions_.recents) recent->setEnabled(!busy);
-  actions_.cancel->setEnabled(busy || branch_ || fissures_.placing() || review_.active());
+  actions_.cancel->setEnabled(busy || branch_ || fissures_.placing() || review_.active() ||
+                              regions_.placing() != RegionEditor::Placing::Nothing);
   actions_.undo->setEnabled(document_.canUndo());
   actions_.undo->setText(tr("&Undo %1").arg(document_.undoName()).trimmed());
   actions_.redo->setEnabled(document_.canRedo());

@@ -2,10 +2,8 @@
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QGridLayout>
 #include <QLabel>
-#include <QLocale>
 #include <QVariant>
 #include <algorithm>
 #include <cmath>
@@ -13,33 +11,13 @@
 
 #include "document/options_model.h"
 #include "document/text.h"
+#include "widgets/number_box.h"
 
 namespace pneuma {
 
 namespace {
 
-// So that several forms below each other line up.
-constexpr int LabelWidth = 110;
 constexpr int EditorWidth = 84;
-
-/// Shows as many decimals as the value has, and whole numbers in groups.
-class NumberBox : public QDoubleSpinBox {
- public:
-  NumberBox() {
-    setLocale(QLocale(QLocale::English, QLocale::UnitedStates));
-    setGroupSeparatorShown(true);
-    setKeyboardTracking(false);
-    setAlignment(Qt::AlignRight);
-  }
-
-  QString textFromValue(double value) const override {
-    QString text = QDoubleSpinBox::textFromValue(value);
-    if (!text.contains(QLatin1Char('.'))) return text;
-    while (text.endsWith(QLatin1Char('0'))) text.chop(1);
-    if (text.endsWith(QLatin1Char('.'))) text.chop(1);
-    return text;
-  }
-};
 
 /// "min-points" -> "Min points"
 QString labelOf(const OptionsModel::Row& row) {
@@ -71,7 +49,7 @@ OptionsForm::OptionsForm(OptionsModel& model, std::vector<std::string> names, QW
   grid_->setHorizontalSpacing(6);
   grid_->setVerticalSpacing(5);
   grid_->setColumnStretch(1, 1);
-  grid_->setColumnMinimumWidth(0, LabelWidth);
+  grid_->setColumnMinimumWidth(0, FormLabelWidth);
   for (const std::string& name : names_) {
     const auto row = model_.rowOf(name);
     if (!row.has_value()) continue;
@@ -108,7 +86,7 @@ void OptionsForm::addRow(int row) {
   auto* label = new QLabel(labelOf(option));
   label->setProperty("role", "dim");
   label->setWordWrap(true);
-  label->setMaximumWidth(LabelWidth);
+  label->setMaximumWidth(FormLabelWidth);
   label->setToolTip(editor->toolTip());
   label->setBuddy(editor);
   const int line = grid_->rowCount();

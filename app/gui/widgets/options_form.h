@@ -10,6 +10,9 @@ namespace pneuma {
 
 class OptionsModel;
 
+/// Of the labels, so that several forms below each other line up.
+inline constexpr int FormLabelWidth = 110;
+
 /// Editors for rows of an OptionsModel: a box for numbers, a list for choices, a tick for what is
 /// off or on; knows no option in particular. An editor is called "option_" + the option's name.
 class OptionsForm : public QWidget {

@@ -173,7 +173,26 @@ void SceneView::setBreathing(std::shared_ptr<const BreathingScene> breathing) {
 
 void SceneView::setBreath(const BreathScale& scale) {
   scene_->setBreath(scale);
+  if (!playing_) {
+    dragging(true);  // the slider may go on
+    settleTimer_.start();
+  }
   renderSoon();
+}
+
+void SceneView::setOnionSkin(bool on) {
+  scene_->setOnionSkin(on);
+  renderSoon();
+}
+
+void SceneView::setBalls(std::vector<SceneBall> balls) {
+  scene_->setBalls(std::move(balls));
+  renderSoon();
+}
+
+void SceneView::setPicking(bool picking) {
+  picking_ = picking;
+  canvas_->setCursor(picking ? Qt::CrossCursor : Qt::ArrowCursor);
 }
 
 void SceneView::setPlaying(bool playing) {
@@ -182,7 +201,7 @@ void SceneView::setPlaying(bool playing) {
   if (playing) {
     dragging(true);
   } else {
-    settleTimer_.start();
+    dragging(false);
   }
 }
 
@@ -262,13 +281,27 @@ void SceneView::render() {
   sinceFrame_.start();
   canvas_->renderWindow()->Render();
   frameMs_ = sinceFrame_.restart();
+  detailed_ = !coarse_;
+  countFrame();
+}
+
+void SceneView::countFrame() {
+  constexpr qint64 SecondMs = 1000;
   ++frames_;
+  ++framesInSecond_;
+  if (!second_.isValid()) second_.start();
+  const qint64 passed = second_.elapsed();
+  if (passed < SecondMs) return;
+  framesPerSecond_ = 1000.0 * framesInSecond_ / static_cast<double>(passed);
+  framesInSecond_ = 0;
+  second_.start();
 }
 
 void SceneView::renderSoon() { renderTimer_.start(); }
 
 void SceneView::dragging(bool on) {
-  scene_->setInteractive(on || playing_);
+  coarse_ = on || playing_;
+  scene_->setInteractive(coarse_);
   if (!on) renderSoon();
 }
 
@@ -313,6 +346,23 @@ bool SceneView::keyPressed(int key, Qt::KeyboardModifiers modifiers) {
   }
 }
 
+void SceneView::clickedAt(const QPoint& position) {
+  const QPointF at = onWindow(position);
+  if (placing_) {
+    if (const auto point = scene_->lungPointAt(at.x(), at.y())) {
+      emit lungClicked(*point);
+      return;
+    }
+  }
+  if (picking_) {
+    if (const auto hit = scene_->surfaceAt(at.x(), at.y())) {
+      emit surfaceClicked(hit->surface, hit->place);
+      return;
+    }
+  }
+  emit clicked(branchAt(position));
+}
+
 bool SceneView::eventFilter(QObject* watched, QEvent* event) {
   if (watched != canvas_) return QWidget::eventFilter(watched, event);
   if (mouseOnMark(*event)) return true;
@@ -341,13 +391,7 @@ bool SceneView::eventFilter(QObject* watched, QEvent* event) {
       settleTimer_.start();
       if (mouse->button() == Qt::LeftButton &&
           (mouse->pos() - pressedAt_).manhattanLength() <= ClickPixels) {
-        const QPointF at = onWindow(mouse->pos());
-        const auto point = placing_ ? scene_->lungPointAt(at.x(), at.y()) : std::nullopt;
-        if (point) {
-          emit lungClicked(*point);
-        } else {
-          emit clicked(branchAt(mouse->pos()));
-        }
+        clickedAt(mouse->pos());
       }
       break;
     }

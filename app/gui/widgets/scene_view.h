@@ -39,6 +39,9 @@ class SceneView : public QWidget {
   /// While it sets points, a click goes to the lung's surface, and marks move along it.
   void setPlacing(bool placing) { placing_ = placing; }
 
+  /// While it picks surfaces, a click goes to the lung's surface as it stands.
+  void setPicking(bool picking);
+
   void setTree(std::shared_ptr<const AirwayTree> tree);
   void setOptions(const SceneOptions& options);
 
@@ -48,11 +51,23 @@ class SceneView : public QWidget {
   /// The moment of the breath that is shown.
   void setBreath(const BreathScale& scale);
 
+  /// Shows the ends of expiration and inspiration, too.
+  void setOnionSkin(bool on);
+
+  /// Balls in the lungs that are stiffer or softer.
+  void setBalls(std::vector<SceneBall> balls);
+
   /// Coarse while the lungs breathe, fine once they stand.
   void setPlaying(bool playing);
 
   /// How many frames were drawn so far.
   int framesDrawn() const { return frames_; }
+
+  /// How many frames were drawn in the last whole second in which some were.
+  double framesPerSecond() const { return framesPerSecond_; }
+
+  /// True if the last frame had every triangle and branch.
+  bool detailed() const { return detailed_; }
 
   /// Shows what a growth has placed since the last time (Scene::addPreview()). After a frame it
   /// waits as long as that took: however slow the graphics, half of the time stays for the user.
@@ -92,6 +107,10 @@ class SceneView : public QWidget {
   /// A click on a lung while points are set.
   void lungClicked(const pneuma::Vec3& point);
 
+  /// A click on a surface, by its place in setSurfaces(), while surfaces are picked.
+  /// @param place on it, at rest
+  void surfaceClicked(std::size_t surface, const pneuma::Vec3& place);
+
   /// A mark of the fissures is dragged there; by its place in the list.
   void markDragged(std::size_t mark, const pneuma::Vec3& to);
   void markReleased();
@@ -101,6 +120,8 @@ class SceneView : public QWidget {
 
  private:
   void render();
+  void countFrame();
+  void clickedAt(const QPoint& position);
   void renderSoon();
   void turn(double azimuthDeg, double elevationDeg);
   bool keyPressed(int key, Qt::KeyboardModifiers modifiers);
@@ -120,8 +141,14 @@ class SceneView : public QWidget {
   QTimer settleTimer_;
   QTimer hoverTimer_;
   bool placing_ = false;
+  bool picking_ = false;
   bool playing_ = false;
   int frames_ = 0;
+  QElapsedTimer second_;  ///< since framesInSecond_ was 0
+  int framesInSecond_ = 0;
+  bool coarse_ = false;
+  bool detailed_ = false;
+  double framesPerSecond_ = 0.0;
   std::optional<std::size_t> mark_;  ///< that is dragged
   Vec3 markPlace_ = Vec3::Zero();    ///< where it was
   QPoint pressedAt_;

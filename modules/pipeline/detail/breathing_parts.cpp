@@ -25,7 +25,8 @@ double ramp(double share) {
   return t * t * (3.0 - 2.0 * t);
 }
 
-/// How far along the airways each branch begins from where they enter a lung; below 0 outside.
+/// How far along the airways each branch begins from where they enter a lung; below 0
+/// outside.
 std::vector<double> depthsMm(const AirwayTree& tree) {
   std::vector<double> depths(tree.size(), -1.0);
   for (std::size_t n = 0; n < tree.size(); ++n) {
@@ -36,18 +37,6 @@ std::vector<double> depthsMm(const AirwayTree& tree) {
     depths[n] = enters ? 0.0 : depths[parent] + lengthMm(tree[parent]);
   }
   return depths;
-}
-
-/// Where the airways enter a lung, or the middle of its side towards the heart without any.
-Vec3 hilumOf(const LungModel& model, Side of, const Box3& box) {
-  if (const auto tree = treeOf(model)) {
-    for (const Branch& branch : *tree) {
-      if (side(branch.lobe) == of) return branch.proximal;
-    }
-  }
-  Vec3 hilum = box.center();
-  hilum.x() = of == Side::Right ? box.max().x() : box.min().x();
-  return hilum;
 }
 
 /// det(I + s G) = 1 + tr(G) s + (sum of the principal minors) s^2 + det(G) s^3.
@@ -87,53 +76,6 @@ std::map<Side, TriangleMesh> wallsOf(const LungModel& model, std::vector<std::st
                   joined.warnings.begin() + static_cast<std::ptrdiff_t>(model.warnings.size()),
                   joined.warnings.end());
   return walls;
-}
-
-LungModel collapsed(const LungModel& model, Side of, double share,
-                    std::vector<std::string>& warnings) {
-  if (share == 1.0 || !model.surfaces) return model;
-  Box3 box;
-  for (const LobeSurface& surface : *model.surfaces) {
-    if (side(surface.lobe) == of) box.extend(bounds(*surface.mesh));
-  }
-  if (box.isEmpty()) {
-    throw InvalidInput("there is no " + std::string(name(of)) +
-                       " lung to have a pneumothorax; choose the other with --affected");
-  }
-  const Vec3 hilum = hilumOf(model, of, box);
-  const double k = std::cbrt(share);
-  const auto shrunk = [&](const Vec3& p) { return Vec3(hilum + k * (p - hilum)); };
-  LungModel result = model;
-  auto surfaces = std::make_shared<std::vector<LobeSurface>>(*model.surfaces);
-  for (LobeSurface& surface : *surfaces) {
-    if (side(surface.lobe) != of) continue;
-    auto mesh = std::make_shared<TriangleMesh>(*surface.mesh);
-    for (Vec3& p : mesh->points) p = shrunk(p);
-    surface.mesh = std::move(mesh);
-  }
-  result.surfaces = std::move(surfaces);
-  if (const auto tree = treeOf(model)) {
-    auto moved = std::make_shared<AirwayTree>();
-    for (Branch branch : *tree) {
-      if (side(branch.lobe) == of) {
-        branch.proximal = shrunk(branch.proximal);
-        branch.distal = shrunk(branch.distal);
-        for (CentrelinePoint& point : branch.via) point.position = shrunk(point.position);
-      }
-      if (branch.parent >= 0 &&
-          side((*moved)[static_cast<std::size_t>(branch.parent)].lobe) != of) {
-        branch.proximal = (*moved)[static_cast<std::size_t>(branch.parent)].distal;
-      }
-      moved->add(std::move(branch));
-    }
-    result.growth = nullptr;
-    result.central = nullptr;
-    result.opened = std::move(moved);
-  }
-  warnings.push_back("The lung with the pneumothorax was shrunk about its hilum to " +
-                     std::to_string(std::lround(100.0 * share)) +
-                     " % of its volume: a drawing of the disease, not a measurement.");
-  return result;
 }
 
 std::vector<MovingSurface> movingSurfaces(const LungModel& model,
@@ -187,6 +129,7 @@ void moveTree(BreathingLungs& lungs, const Progress& progress) {
                        " airways are within their box; are both of the same person?");
   }
   const std::vector<double> depths = depthsMm(tree);
+  std::vector<char> atMothersEnd(tree.size(), 0);
   lungs.treeMotion.ends.assign(tree.size(), {Vec3::Zero(), Vec3::Zero()});
   lungs.treeMotion.via.resize(tree.size());
   for (std::size_t begin = 0; begin < tree.size(); begin += ChunkPoints) {
@@ -202,7 +145,11 @@ void moveTree(BreathingLungs& lungs, const Progress& progress) {
       const auto moved = [&](const Vec3& p) {
         return Vec3(ramp(depth / RampMm) * motion->second.at(p));
       };
-      lungs.treeMotion.ends[n][0] = moved(branch.proximal);
+      const auto mother = static_cast<std::size_t>(std::max(0, branch.parent));
+      // A daughter begins where her mother ends, and needs no search of her own.
+      atMothersEnd[n] = branch.parent >= 0 && side(tree[mother].lobe) == side(branch.lobe) &&
+                        tree[mother].distal == branch.proximal;
+      if (atMothersEnd[n] == 0) lungs.treeMotion.ends[n][0] = moved(branch.proximal);
       Vec3 last = branch.proximal;
       for (std::size_t v = 0; v < branch.via.size(); ++v) {
         depth += (branch.via[v].position - last).norm();
@@ -212,6 +159,11 @@ void moveTree(BreathingLungs& lungs, const Progress& progress) {
       depth += (branch.distal - last).norm();
       lungs.treeMotion.ends[n][1] = moved(branch.distal);
     });
+  }
+  for (std::size_t n = 0; n < tree.size(); ++n) {
+    if (atMothersEnd[n] == 0) continue;
+    const auto mother = static_cast<std::size_t>(tree[n].parent);
+    lungs.treeMotion.ends[n][0] = lungs.treeMotion.ends[mother][1];
   }
 }
 

@@ -12,11 +12,6 @@ namespace pneuma {
 std::map<Side, TriangleMesh> wallsOf(const LungModel& model, std::vector<std::string>& warnings,
                                      const Progress& progress);
 
-/// The model with one lung shrunk about its hilum until it has this share of its volume, its lobes
-/// and airways with it; the same model for a share of 1.
-LungModel collapsed(const LungModel& model, Side side, double share,
-                    std::vector<std::string>& warnings);
-
 /// Every surface of the model with its displacements.
 std::vector<MovingSurface> movingSurfaces(const LungModel& model,
                                           const std::map<Side, LungMotion>& motion,
