@@ -51,6 +51,7 @@ Run declareCheck(CLI::App& app, CommonOptions& common);
 Run declareMeasure(CLI::App& app, CommonOptions& common);
 Run declareRender(CLI::App& app, CommonOptions& common);
 Run declareRepair(CLI::App& app, CommonOptions& common);
+Run declareReport(CLI::App& app, CommonOptions& common);
 Run declareReproduce(CLI::App& app, CommonOptions& common);
 Run declareRun(CLI::App& app, CommonOptions& common);
 Run declareSample(CLI::App& app, CommonOptions& common);

@@ -29,6 +29,7 @@ constexpr std::array<Command, 23> Table = {{
     {"render", "Make a picture of surfaces and trees.", declareRender},
     {"export", "Convert surfaces and trees between formats, frames and units.", declareExport},
     {"sample", "Write a synthetic chest with known truth.", declareSample},
+    {"report", "Put everything known of a case on one page.", declareReport},
     {"reproduce", "Repeat a paper's experiment: published beside measured.", declareReproduce},
     {"doctor", "Check this installation and this machine.", declareDoctor},
     {"completion", "Print a shell's completion script.", declareCompletion},

@@ -36,6 +36,17 @@ expect "the folder's name is elsewhere than in the link" \
   test "$(grep -rl DOE_JANE raw | tr '\n' ' ')" = "raw/project.json "
 expect "the folder's name is in more than the link" test "$(grep -c DOE_JANE raw/project.json)" -eq 2
 
+succeeds "everything of it on a page" report case.pneuma -o case.json -q
+keeps case case.json
+expect "the report names the folder or the file" test "$(grep -c 'DOE_JANE\|ct.nii' case.json)" -eq 0
+for part in '"region": "right middle lobe"' '"of": "lungs"' '"of": "lobes"' '"of": "airways"' 'Huang XY' 'voxels of 3.00 x 3.00 x 5.00'; do
+  expect "the report lacks $part" grep -q "$part" case.json
+done
+succeeds "with names" report case.pneuma --identify -o named.json -q
+expect "nothing is named" grep -q DOE_JANE named.json
+refuses "a report of another kind" 5 "html" report case.pneuma -o case.txt
+refuses "a report of nothing" 4 "nothing to report" report DOE_JANE/chest/ct.nii.gz -o none.json
+
 succeeds "its parts" export case.pneuma -o parts --format stl -q
 for file in rul.stl rml.stl rll.stl lul.stl lll.stl right.stl left.stl tree.vtp central.vtp labels.nii.gz \
   fissures.json; do
