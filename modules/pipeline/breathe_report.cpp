@@ -54,11 +54,14 @@ std::string basisOf(const BreatheOptions& options) {
            values;
   }
   if (options.posture != Posture::Supine) {
-    return "Displacements by constants fitted to landmarks of people (supine), and the difference "
-           "that an elastic surface makes between supine and " +
+    return "Displacements by " +
+           (options.person ? basisOf(*options.person)
+                           : std::string("constants fitted to landmarks of people (supine)")) +
+           ", and the difference that an elastic surface makes between supine and " +
            std::string(choices(Posture{})[static_cast<std::size_t>(options.posture)]) +
            ": reasoned, not measured." + values;
   }
+  if (options.person) return "Displacements by " + basisOf(*options.person) + "." + values;
   return "Displacements by constants fitted to landmarks of people (supine); typical error 3 to 4 "
          "mm "
          "in quiet breathing, 7 to 10 mm in a deep breath." +
@@ -92,6 +95,7 @@ Json breatheReport(const LungModel& model, const BreathingLungs& lungs,
           "it with --curve.");
     }
   }
+  if (options.person) report["constants"] = toJson(*options.person);
   report["lungs"] = Json::array();
   std::vector<LobeCheck> checks;
   for (const auto& [of, motion] : lungs.motion) {
