@@ -22,6 +22,7 @@ struct BreatheArguments {
   std::vector<std::filesystem::path> inputs;
   BreatheOptions options;
   std::filesystem::path fit;
+  std::filesystem::path constants;
   std::filesystem::path curve;
   std::filesystem::path gltf;
   std::vector<std::string> stiffness;
@@ -91,10 +92,15 @@ ExitCode runBreathe(BreatheArguments arguments, const CommonOptions& common,
     measured = readMeasuredBreath(arguments.fit);
     arguments.options.fit = std::make_shared<const BreathFit>(fitBreath(measured));
   }
+  if (!arguments.constants.empty()) {
+    arguments.options.person =
+        std::make_shared<const PersonMotion>(readPersonMotion(arguments.constants));
+  }
   LungModel model = openFiles(expanded(arguments.inputs), progress.part(0.0, 0.2, "reading"));
-  if (!arguments.fit.empty()) {
-    model.inputs.push_back(inputFile(arguments.fit));
-    arguments.inputs.push_back(arguments.fit);
+  for (const std::filesystem::path& file : {arguments.fit, arguments.constants}) {
+    if (file.empty()) continue;
+    model.inputs.push_back(inputFile(file));
+    arguments.inputs.push_back(file);
   }
   const std::filesystem::path folder = common.output.parent_path();
   std::vector<std::filesystem::path> paths;
@@ -171,6 +177,10 @@ Run declareBreathe(CLI::App& app, CommonOptions& common) {
          "--fit", arguments->fit,
          "A measured breath (CSV: seconds, pressure_cmH2O, volume_ml) to breathe instead of "
          "the scenario's: the equation of pressure and volume is fitted to it.")
+      ->type_name("FILE");
+  app.add_option("--constants", arguments->constants,
+                 "Move the lungs by constants that 'pneuma estimate' fitted to this person's "
+                 "landmarks, in place of those of people in general.")
       ->type_name("FILE");
   app.add_option("--curve", arguments->curve,
                  "Draw pressure and volume of the breath (.png) and write them as a table (.csv) "

@@ -39,6 +39,7 @@ Run declareAnonymize(CLI::App& app, CommonOptions& common);
 Run declareCompare(CLI::App& app, CommonOptions& common);
 Run declareCompletion(CLI::App& app, CommonOptions& common);
 Run declareDoctor(CLI::App& app, CommonOptions& common);
+Run declareEstimate(CLI::App& app, CommonOptions& common);
 Run declareExport(CLI::App& app, CommonOptions& common);
 Run declareFissures(CLI::App& app, CommonOptions& common);
 Run declareBreathe(CLI::App& app, CommonOptions& common);

@@ -7,7 +7,7 @@
 namespace pneuma::cli {
 namespace {
 
-constexpr std::array<Command, 23> Table = {{
+constexpr std::array<Command, 24> Table = {{
     {"run", "From a CT to lungs, lobes and a grown tree, by a recipe.", declareRun},
     {"segment", "Find lungs and central airways in a CT.", declareSegment},
     {"lobes", "Split lungs into lobes along their fissures.", declareLobes},
@@ -18,6 +18,8 @@ constexpr std::array<Command, 23> Table = {{
     {"outline", "Aggregate in the outline of a right lung, in a plane (Zhang 2003).",
      declareOutline},
     {"breathe", "Make lungs and their airways breathe, frame by frame.", declareBreathe},
+    {"estimate", "Fit how lungs move to one person's landmarks, and say what that is worth.",
+     declareEstimate},
     {"measure", "Measure a tree: orders, ratios, angles, lengths, homogeneity.", declareMeasure},
     {"compare", "Put trees, labels or surfaces side by side: one table, one picture.",
      declareCompare},

@@ -32,6 +32,9 @@ class LungFrame {
     return {side_ == Side::Right ? -v.x() : v.x(), -v.y(), -v.z()};
   }
 
+  /// toLps() as a matrix, which is its own inverse.
+  Eigen::Matrix3d axes() const { return toLps(Vec3::Ones()).asDiagonal(); }
+
  private:
   Side side_;
   Box3 box_;

@@ -33,6 +33,11 @@ LungFrame frameOf(Side side, const TriangleMesh& wall) {
   return {side, box};
 }
 
+FormField fieldOf(const LungMotionOptions& options, const LungFrame& frame, double gain) {
+  return options.form ? FormField(*options.form, frame, std::cbrt(1.0 + gain) - 1.0)
+                      : FormField(PresetField(options.preset, frame, gain));
+}
+
 }  // namespace
 
 LungMotion::LungMotion(Side side, const TriangleMesh& wall, const LungMotionOptions& options,
@@ -40,7 +45,7 @@ LungMotion::LungMotion(Side side, const TriangleMesh& wall, const LungMotionOpti
     : side_(side), wall_(wall), ofWall_(wall.points.size()) {
   const LungFrame frame = frameOf(side, wall);
   if (options.model == MotionModel::Preset) {
-    preset_.emplace(options.preset, frame, mostMm3 / signedVolumeMm3(wall) - 1.0);
+    preset_ = fieldOf(options, frame, mostMm3 / signedVolumeMm3(wall) - 1.0);
     layer_.emplace(wall);
     if (options.posture != Posture::Supine || !options.stiffness.empty()) {
       const SurfaceMotion skin(wall_, frame, MotionModel::Continuous, options.stiffness);

@@ -1,10 +1,11 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
-#include "breathing/motion_preset.h"
+#include "breathing/motion_form.h"
 #include "breathing/radial_field.h"
 #include "breathing/surface_motion.h"
 #include "breathing/volume_layer.h"
@@ -20,6 +21,8 @@ struct LungMotionOptions {
   double postureShare = 1.0;          ///< of the difference that the preset takes up
   /// Of the wall's points, by that of healthy lung, above 0; empty: healthy.
   std::vector<double> stiffness{};
+  /// Of the model Preset: somebody's constants in place of the preset's; null: none.
+  std::shared_ptr<const MotionForm> form = nullptr;
 };
 
 /// One field of displacements for a whole lung, from the end of expiration on: everything in it,
@@ -27,8 +30,8 @@ struct LungMotionOptions {
 /// largest volume that the field was made for. As all take the same field, lobes that share a point
 /// keep it shared and no gap opens. The direction of a point stays the same through a breath; how
 /// far it goes is s, and s comes from the enclosed volume exactly.
-/// With the model Preset u is the preset's; in another posture than supine, or with parts that are
-/// stiffer or softer than healthy lung, it is
+/// With the model Preset u is the preset's, or that of somebody's own form; in another posture than
+/// supine, or with parts that are stiffer or softer than healthy lung, it is
 ///   u_preset + share (u_elastic(posture, stiffness) - u_elastic(supine, healthy)),
 /// the difference found at the wall (SurfaceMotion) and carried on into the lung, so that what was
 /// measured stays as it is where it was measured. What lacks in volume is in a layer at the wall.
@@ -88,7 +91,7 @@ class LungMotion {
 
   Side side_;
   TriangleMesh wall_;
-  std::optional<PresetField> preset_;    // of the model Preset
+  std::optional<FormField> preset_;      // of the model Preset
   std::optional<VolumeLayer> layer_;     // likewise
   std::optional<RadialField> byForces_;  // in other postures and of other models
   double forceShare_ = 1.0;

@@ -9,16 +9,13 @@
 #include <unsupported/Eigen/NonLinearOptimization>
 #include <unsupported/Eigen/NumericalDiff>
 
+#include "breathing/direction_unknowns.h"
 #include "core/error.h"
 
 namespace pneuma {
 namespace {
 
-constexpr double LinearRidge = 2e-3;   // a share's variance is about 0.05
 constexpr double SurfaceWeight = 0.1;  // of all landmarks'
-constexpr double LeastPower = 0.05;
-constexpr double MostPower = 5.0;
-constexpr double MostLogWeight = 4.0;
 
 void requireUsable(std::span<const LandmarkPair> landmarks, const StrainedLungs& lungs) {
   constexpr std::size_t Fewest = 12;  // three numbers each for nine constants and a shift
@@ -41,37 +38,6 @@ void requireUsable(std::span<const LandmarkPair> landmarks, const StrainedLungs&
                          " lung keeps its volume; a motion cannot be fitted to it");
     }
   }
-}
-
-double bounded(double x, double low, double high) {
-  return low + (high - low) * 0.5 * (1.0 + std::tanh(x));
-}
-
-double unbounded(double value, double low, double high) {
-  return std::atanh(2.0 * (value - low) / (high - low) - 1.0);
-}
-
-/// The five unknowns of directions, each without bounds.
-Eigen::VectorXd unknownsOf(const PublishedForm& form) {
-  Eigen::VectorXd unknowns(5);
-  for (int k = 0; k < 2; ++k) {
-    unknowns[k] = unbounded(std::log(form.weights[k]), -MostLogWeight, MostLogWeight);
-  }
-  for (int k = 0; k < 3; ++k) {
-    unknowns[2 + k] = unbounded(form.powers[k], LeastPower, MostPower);
-  }
-  return unknowns;
-}
-
-PublishedForm directionsOf(const Eigen::VectorXd& unknowns) {
-  PublishedForm form;
-  for (int k = 0; k < 2; ++k) {
-    form.weights[k] = std::exp(bounded(unknowns[k], -MostLogWeight, MostLogWeight));
-  }
-  for (int k = 0; k < 3; ++k) {
-    form.powers[k] = bounded(unknowns[2 + k], LeastPower, MostPower);
-  }
-  return form;
 }
 
 /// What is left of landmarks and surfaces by the unknowns of directions; all else follows from them
@@ -155,34 +121,36 @@ class DirectionResiduals {
 
 }  // namespace
 
-Vec3 LinearForm::at(const StrainedLung& lung, const Vec3& p) const {
-  const Vec3 share = slopes * lung.frame.shareOf(p);
-  return lung.frame.toLps(lung.strain * share.cwiseProduct(lung.frame.lengths()));
-}
-
-LinearFit fitLinearForm(std::span<const LandmarkPair> landmarks, const StrainedLungs& lungs) {
+PolynomialFit fitPolynomialForm(std::span<const LandmarkPair> landmarks, const StrainedLungs& lungs,
+                                const TermChoice& terms, double ridge) {
   requireUsable(landmarks, lungs);
-  const LinearForm drawnTo;
+  const PolynomialForm drawnTo = evenForm();
   const auto count = static_cast<Eigen::Index>(landmarks.size());
-  LinearFit fit;
-  // Of each direction: three slopes and the shift; rows are weighed by 1 / (strain L_k).
+  PolynomialFit fit;
+  // Of each direction: its terms and the shift; rows are weighed by 1 / (strain L_k).
   for (int k = 0; k < 3; ++k) {
-    Eigen::MatrixX4d matrix = Eigen::MatrixX4d::Zero(count + 3, 4);
-    Eigen::VectorXd wanted = Eigen::VectorXd::Zero(count + 3);
+    std::vector<int> used;
+    for (int j = 0; j < PolynomialForm::Terms; ++j) {
+      if (terms(k, j)) used.push_back(j);
+    }
+    const auto constants = static_cast<Eigen::Index>(used.size());
+    Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(count + constants, constants + 1);
+    Eigen::VectorXd wanted = Eigen::VectorXd::Zero(count + constants);
     for (Eigen::Index n = 0; n < count; ++n) {
       const LandmarkPair& pair = landmarks[static_cast<std::size_t>(n)];
       const StrainedLung& lung = lungs.at(pair.side);
       const double unit = 1.0 / (lung.strain * lung.frame.lengths()[k]);
-      matrix.row(n).head<3>() = lung.frame.shareOf(pair.rest).transpose();
-      matrix(n, 3) = unit * lung.frame.toLps(Vec3::Unit(k))[k];
+      const auto phi = PolynomialForm::terms(lung.frame.shareOf(pair.rest));
+      matrix.row(n).head(constants) = phi(used).transpose();
+      matrix(n, constants) = unit * lung.frame.toLps(Vec3::Unit(k))[k];
       wanted[n] = unit * lung.frame.toLps(pair.moved - pair.rest)[k];
     }
-    const double ridge = std::sqrt(LinearRidge * static_cast<double>(count));
-    matrix.block<3, 3>(count, 0).diagonal().setConstant(ridge);
-    wanted.tail<3>() = ridge * drawnTo.slopes.row(k).transpose();
-    const Eigen::Vector4d solved = matrix.colPivHouseholderQr().solve(wanted);
-    fit.form.slopes.row(k) = solved.head<3>().transpose();
-    fit.shift[k] = solved[3];
+    const double pull = std::sqrt(ridge * static_cast<double>(count));
+    matrix.bottomLeftCorner(constants, constants).diagonal().setConstant(pull);
+    wanted.tail(constants) = pull * drawnTo.constants.row(k)(used).transpose();
+    const Eigen::VectorXd solved = matrix.colPivHouseholderQr().solve(wanted);
+    fit.form.constants.row(k)(used) = solved.head(constants).transpose();
+    fit.shift[k] = solved[constants];
   }
   return fit;
 }
@@ -194,7 +162,7 @@ PublishedFit fitPublishedForm(std::span<const LandmarkPair> landmarks, const Str
   Eigen::VectorXd best;
   double least = std::numeric_limits<double>::infinity();
   for (const MotionPreset start : {MotionPreset::Deep, MotionPreset::Quiet}) {
-    Eigen::VectorXd unknowns = unknownsOf(publishedForm(start));
+    Eigen::VectorXd unknowns = directionUnknowns(publishedForm(start));
     Eigen::NumericalDiff<DirectionResiduals> function(residuals, 1e-10);
     Eigen::LevenbergMarquardt<Eigen::NumericalDiff<DirectionResiduals>> solver(function);
     solver.parameters.maxfev = 600;

@@ -18,25 +18,23 @@ struct StrainedLung {
 
 using StrainedLungs = std::map<Side, StrainedLung>;
 
-/// A field linear in the shares of the lung's box, u_k = strain L_k sum_j slopes(k, j) q_j, nine
-/// constants for both lungs.
-struct LinearForm {
-  Mat3 slopes = 0.7 * Mat3::Identity();
-
-  /// LPS, mm.
-  Vec3 at(const StrainedLung& lung, const Vec3& p) const;
-};
-
-struct LinearFit {
-  LinearForm form;
+struct PolynomialFit {
+  PolynomialForm form;
   Vec3 shift = Vec3::Zero();  ///< of the person between the scans, LPS, mm; no motion of the lung
 };
 
-/// The nine constants of a person by ridge least squares, drawn weakly to 0.7 on the diagonal, and
-/// a shift of both lungs.
+/// Pull of evenForm() where nothing else is said; a share's variance is about 0.05.
+inline constexpr double WeakRidge = 2e-3;
+
+/// The constants of a person by ridge least squares, drawn to evenForm(), and a shift of both
+/// lungs.
+/// @param terms that the polynomial has: nine, linear, by default
+/// @param ridge pull of evenForm() for each landmark, in shares squared; 0: none
 /// @throws InvalidInput if there are fewer than 12 landmarks, a number in them is not finite, or a
 /// landmark lies in no lung of `lungs`
-LinearFit fitLinearForm(std::span<const LandmarkPair> landmarks, const StrainedLungs& lungs);
+PolynomialFit fitPolynomialForm(std::span<const LandmarkPair> landmarks, const StrainedLungs& lungs,
+                                const TermChoice& terms = termsOf(MotionPreset::Deep),
+                                double ridge = WeakRidge);
 
 struct PublishedFit {
   PublishedForm form;
@@ -48,7 +46,7 @@ struct PublishedFit {
 /// squares. Powers lie in 0.05 to 5, weights in exp(-4) to exp(4). Single constants are hardly
 /// determined; only the field counts.
 /// @param surfaces of the same lungs, a hint of a tenth of the landmarks' weight; may be empty
-/// @throws as fitLinearForm()
+/// @throws as fitPolynomialForm()
 PublishedFit fitPublishedForm(std::span<const LandmarkPair> landmarks, const StrainedLungs& lungs,
                               std::span<const SurfaceReading> surfaces = {});
 

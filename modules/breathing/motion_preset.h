@@ -3,7 +3,7 @@
 #include <array>
 #include <string_view>
 
-#include "breathing/lung_frame.h"
+#include "breathing/polynomial_form.h"
 
 namespace pneuma {
 
@@ -26,15 +26,21 @@ class PresetField {
   PresetField(MotionPreset preset, const LungFrame& frame, double gain);
 
   /// LPS, mm.
-  Vec3 at(const Vec3& p) const;
+  Vec3 at(const Vec3& p) const { return field_.at(p); }
 
   /// How the field changes from place to place; a row for each part of the displacement.
-  Eigen::Matrix3d gradientAt(const Vec3& p) const;
+  Mat3 gradientAt(const Vec3& p) const { return field_.gradientAt(p); }
+
+  const PolynomialField& field() const { return field_; }
 
  private:
-  MotionPreset preset_;
-  LungFrame frame_;
-  double strain_;
+  PolynomialField field_;
 };
+
+/// Which constants of a polynomial are used; the others are 0.
+using TermChoice = Eigen::Array<bool, 3, PolynomialForm::Terms>;
+
+/// The nine (deep) or ten (quiet) of a preset.
+TermChoice termsOf(MotionPreset preset);
 
 }  // namespace pneuma

@@ -19,6 +19,9 @@ struct PublishedForm {
 
   bool operator==(const PublishedForm&) const = default;
 
+  /// d along X, Y, Z of the lung's frame.
+  Vec3 way(const Vec3& share) const;
+
   /// d / |d| along X, Y, Z of the lung's frame; 0 where d is.
   Vec3 direction(const Vec3& share) const;
 
@@ -45,6 +48,10 @@ class PublishedField {
 
   /// LPS, mm. Shares outside of the box are those of its wall.
   Vec3 at(const Vec3& p) const;
+
+  /// How the field changes from place to place; a row for each part of the displacement. A share
+  /// that is held at the box's wall does not change.
+  Mat3 gradientAt(const Vec3& p) const;
 
  private:
   PublishedForm form_;

@@ -62,6 +62,17 @@ VolumePolynomial volumePolynomial(const TriangleMesh& surface, std::span<const V
   return {{sums[0].value(), sums[1].value(), sums[2].value(), sums[3].value()}};
 }
 
+double movedVolumeMm3(const TriangleMesh& surface, std::span<const Vec3> displacement, double s) {
+  if (surface.points.empty()) return 0.0;
+  const auto at = [&](std::size_t n) -> Vec3 { return surface.points[n] + s * displacement[n]; };
+  const Vec3 origin = at(0);
+  double six = 0.0;
+  for (const auto& [a, b, c] : surface.triangles) {
+    six += triple(at(a) - origin, at(b) - origin, at(c) - origin);
+  }
+  return six / 6.0;
+}
+
 std::optional<double> scaleForVolume(const VolumePolynomial& volume, double wantedMm3) {
   if (!(wantedMm3 > 0.0)) return std::nullopt;
   double s = 0.0;

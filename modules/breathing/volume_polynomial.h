@@ -22,6 +22,10 @@ struct VolumePolynomial {
 /// @pre the surface is closed and oriented outwards, and has as many points as displacements
 VolumePolynomial volumePolynomial(const TriangleMesh& surface, std::span<const Vec3> displacement);
 
+/// What the surface encloses at s, summed over its moved triangles and not by the polynomial; the
+/// same bits as the volume of a moved copy. mm^3.
+double movedVolumeMm3(const TriangleMesh& surface, std::span<const Vec3> displacement, double s);
+
 /// The s nearest to 0 with V(s) as wanted, by Newton's method to the last bits.
 /// @return nothing if V does not rise all the way from 0 to there, or the volume is not above 0
 std::optional<double> scaleForVolume(const VolumePolynomial& volume, double wantedMm3);

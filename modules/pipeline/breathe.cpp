@@ -15,7 +15,13 @@ constexpr double MlPerLitre = 1000.0;
 
 /// @throws InvalidOption if options speak against each other
 void requireOneMotion(const BreatheOptions& options) {
-  if (options.model == MotionModel::Preset || options.motion == MotionChoice::Scenario) return;
+  const bool preset = options.model == MotionModel::Preset;
+  if (options.person && (!preset || options.motion != MotionChoice::Scenario)) {
+    throw InvalidOption(
+        "--constants are the person's own and take the place of --motion; models other than "
+        "preset have none. Leave one of the two out");
+  }
+  if (preset || options.motion == MotionChoice::Scenario) return;
   throw InvalidOption(
       "--motion chooses the constants of --model preset; the other models have none. Leave one of "
       "the two out");
@@ -136,7 +142,17 @@ BreathingLungs breathe(const LungModel& given, const BreatheOptions& options,
   lungs.cycle = cycleOf(options, bothCompliance / bothMm3, lungs.drive);
   lungs.share = sharesOf(restMm3, compliance, options);
   const double mostLitres = lungs.cycle.trapped + lungs.cycle.tidal;
-  const LungMotionOptions healthy{presetOf(options), options.model, options.posture};
+  LungMotionOptions healthy{presetOf(options), options.model, options.posture};
+  if (options.person) {
+    healthy.form = std::make_shared<const MotionForm>(options.person->form);
+    std::map<Side, double> mostMm3;
+    for (const auto& [side, mm3] : restMm3) {
+      mostMm3[side] = mm3 + takenMm3(lungs, side, mostLitres);
+    }
+    for (std::string& doubt : doubts(*options.person, restMm3, mostMm3)) {
+      lungs.warnings.push_back(std::move(doubt));
+    }
+  }
   for (const auto& [side, wall] : walls) {
     LungMotionOptions by = healthy;
     by.stiffness = stiffnessAt(wall.points, side, model, options.regions);

@@ -16,6 +16,7 @@
 #include "core/progress.h"
 #include "io/json.h"
 #include "pipeline/lung_model.h"
+#include "pipeline/person_motion.h"
 #include "pipeline/stiffness_region.h"
 
 namespace pneuma {
@@ -45,6 +46,8 @@ struct BreatheOptions {
   Posture posture = Posture::Supine;
   MotionModel model = MotionModel::Preset;
   std::vector<StiffnessRegion> regions{};  ///< stiffer or softer than healthy lung
+  /// A person's own constants, in place of the preset's; null: none.
+  std::shared_ptr<const PersonMotion> person = nullptr;
 
   static constexpr auto fields() {
     using O = BreatheOptions;
@@ -112,7 +115,8 @@ struct BreathingLungs {
 /// @param model with surfaces of lobes or whole lungs; its tree breathes with them
 /// @throws InvalidInput if there is no lung, it is open or no lung by its size, the tree lies
 /// elsewhere, or the breath would fold the lung; InvalidOption if a measured breath shall have
-/// another volume or period, or a model is given constants that it has no use for; Cancelled
+/// another volume or period, or a model or a person is given constants that it has no use for;
+/// Cancelled
 BreathingLungs breathe(const LungModel& model, const BreatheOptions& options,
                        const Progress& progress = {});
 

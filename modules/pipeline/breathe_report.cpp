@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/parallel.h"
 #include "pipeline/breathe.h"
 #include "pipeline/lobe_checks.h"
 #include "pipeline/report.h"
@@ -23,16 +24,18 @@ Json fitJson(const BreathFit& fit) {
 
 /// How far the moved surfaces' volumes of a lung are from the curve's, at most, ml.
 double volumeErrorMl(const BreathingLungs& lungs, Side side) {
-  double most = 0.0;
-  for (const BreathFrame& frame : lungs.frames) {
+  std::vector<double> errors(lungs.frames.size());
+  parallelFor(errors.size(), [&](std::size_t n) {
+    const BreathFrame& frame = lungs.frames[n];
     double sum = 0.0;
     for (const MovingSurface& surface : lungs.surfaces) {
       if (surface.side != side) continue;
-      sum += signedVolumeMm3(surfaceAt(surface, frame.scale.at(side))) / 1000.0;
+      sum += movedVolumeMm3(*surface.surface.mesh, surface.displacement, frame.scale.at(side)) /
+             1000.0;
     }
-    most = std::max(most, std::abs(sum - frame.volumeMl.at(side)));
-  }
-  return most;
+    errors[n] = std::abs(sum - frame.volumeMl.at(side));
+  });
+  return errors.empty() ? 0.0 : *std::ranges::max_element(errors);
 }
 
 /// What the displacements rest upon, in whole sentences.
@@ -51,11 +54,14 @@ std::string basisOf(const BreatheOptions& options) {
            values;
   }
   if (options.posture != Posture::Supine) {
-    return "Displacements by constants fitted to landmarks of people (supine), and the difference "
-           "that an elastic surface makes between supine and " +
+    return "Displacements by " +
+           (options.person ? basisOf(*options.person)
+                           : std::string("constants fitted to landmarks of people (supine)")) +
+           ", and the difference that an elastic surface makes between supine and " +
            std::string(choices(Posture{})[static_cast<std::size_t>(options.posture)]) +
            ": reasoned, not measured." + values;
   }
+  if (options.person) return "Displacements by " + basisOf(*options.person) + "." + values;
   return "Displacements by constants fitted to landmarks of people (supine); typical error 3 to 4 "
          "mm "
          "in quiet breathing, 7 to 10 mm in a deep breath." +
@@ -89,6 +95,7 @@ Json breatheReport(const LungModel& model, const BreathingLungs& lungs,
           "it with --curve.");
     }
   }
+  if (options.person) report["constants"] = toJson(*options.person);
   report["lungs"] = Json::array();
   std::vector<LobeCheck> checks;
   for (const auto& [of, motion] : lungs.motion) {

@@ -4,13 +4,10 @@
 #include <array>
 #include <cmath>
 
-#include <Eigen/LU>
-#include <Eigen/QR>
-
 #include "core/error.h"
-#include "geometry/nearest_triangle.h"
 #include "io/landmark_file.h"
 #include "io/volume_file.h"
+#include "pipeline/landmark_lungs.h"
 #include "segmentation/label_surface.h"
 #include "segmentation/lung_labels.h"
 #include "segmentation/lung_separation.h"
@@ -62,43 +59,7 @@ LabelImage readLungMask(const fs::path& path, const Progress& progress) {
   return mask;
 }
 
-/// The lung that each landmark lies in or next to.
-void findLungs(std::vector<LandmarkPair>& landmarks, const LabelImage& mask,
-               const std::map<Side, TriangleMesh>& walls) {
-  std::map<Side, NearestTriangle> nearest;
-  for (const auto& [side, wall] : walls) nearest.try_emplace(side, wall);
-  for (LandmarkPair& pair : landmarks) {
-    const Eigen::Vector3i voxel =
-        mask.geometry.voxelFromWorld(pair.rest).array().round().matrix().cast<int>();
-    const Eigen::Vector3i size(mask.geometry.size.data());
-    const bool within = (voxel.array() >= 0).all() && (voxel.array() < size.array()).all();
-    const std::uint8_t label = within ? mask.at(voxel.x(), voxel.y(), voxel.z()) : std::uint8_t{0};
-    if (label != 0) {
-      pair.side = label == RightLabel ? Side::Right : Side::Left;
-    } else {
-      const bool right = nearest.at(Side::Right).distanceMm(pair.rest) <
-                         nearest.at(Side::Left).distanceMm(pair.rest);
-      pair.side = right ? Side::Right : Side::Left;
-    }
-  }
-}
-
 double strainOf(double volumeRatio) { return std::cbrt(volumeRatio) - 1.0; }
-
-/// Volume ratio of the affine map that fits landmarks best.
-double affineRatio(const std::vector<LandmarkPair>& landmarks, Side side) {
-  const auto count = std::ranges::count(landmarks, side, &LandmarkPair::side);
-  Eigen::MatrixX4d places(count, 4);
-  Eigen::MatrixX3d moved(count, 3);
-  Eigen::Index row = 0;
-  for (const LandmarkPair& pair : landmarks) {
-    if (pair.side != side) continue;
-    places.row(row) << pair.rest.transpose(), 1.0;
-    moved.row(row++) = pair.moved.transpose();
-  }
-  const Eigen::Matrix<double, 4, 3> affine = places.colPivHouseholderQr().solve(moved);
-  return affine.topRows<3>().determinant();
-}
 
 QuietBreathCase readQuietBreathCase(const fs::path& path, const std::string& name) {
   QuietBreathCase found;
@@ -109,24 +70,9 @@ QuietBreathCase readQuietBreathCase(const fs::path& path, const std::string& nam
     pair.rest.z() = -pair.rest.z();
     pair.moved.z() = -pair.moved.z();
   }
-  std::vector<double> xs;
-  for (const LandmarkPair& pair : found.landmarks) xs.push_back(pair.rest.x());
-  std::ranges::sort(xs);
-  double middle = xs.front();
-  double gap = 0.0;
-  for (std::size_t n = 1; n < xs.size(); ++n) {
-    if (xs[n] - xs[n - 1] <= gap) continue;
-    gap = xs[n] - xs[n - 1];
-    middle = 0.5 * (xs[n] + xs[n - 1]);
-  }
-  std::map<Side, Box3> boxes;
-  for (LandmarkPair& pair : found.landmarks) {
-    pair.side = pair.rest.x() < middle ? Side::Right : Side::Left;
-    boxes[pair.side].extend(pair.rest);
-  }
-  for (const auto& [side, box] : boxes) {
-    found.lungs.emplace(side,
-                        StrainedLung{{side, box}, strainOf(affineRatio(found.landmarks, side))});
+  tellSidesByGap(found.landmarks);
+  for (const auto& [side, box] : boxesOf(found.landmarks)) {
+    found.lungs.emplace(side, StrainedLung{{side, box}, innerStrain(found.landmarks, side)});
   }
   return found;
 }
@@ -152,7 +98,7 @@ DeepBreathCase readDeepBreathCase(const fs::path& data, const Progress& progress
     found.lungs.emplace(side,
                         StrainedLung{{side, bounds(wall)}, strainOf(mm3 / signedVolumeMm3(wall))});
   }
-  findLungs(found.landmarks, rest, found.walls);
+  tellSidesByWalls(found.landmarks, found.walls);
   progress.report(1.0);
   return found;
 }

@@ -8,7 +8,7 @@
 #include "breathing/landmark_error.h"
 #include "breathing/lung_motion.h"
 #include "core/error.h"
-#include "core/random.h"
+#include "pipeline/landmark_lungs.h"
 #include "pipeline/motion_cases.h"
 #include "pipeline/reproduce_paper.h"
 
@@ -173,40 +173,30 @@ void deepTable(std::vector<ReproducedRow>& rows, const DeepBreathCase& deep,
   progress.report(1.0);
 }
 
-struct Draw {
-  std::vector<LandmarkPair> fitted;
-  std::vector<LandmarkPair> tested;
-};
-
-Draw draw(std::vector<LandmarkPair> landmarks, std::uint64_t seed) {
-  constexpr std::ptrdiff_t Fitted = 40;
-  Random(seed).shuffle(landmarks);
-  const auto end = landmarks.begin() + Fitted;
-  return {{landmarks.begin(), end}, {end, landmarks.end()}};
-}
-
 void fitTable(std::vector<ReproducedRow>& rows, const DeepBreathCase& deep,
               const Progress& progress) {
   constexpr std::size_t Draws = 5;
+  constexpr std::size_t Fitted = 40;
   const StrainedLungs& lungs = deep.lungs;
   std::array<LandmarkError, 3> sums{};
   for (std::size_t n = 0; n < Draws; ++n) {
-    const Draw drawn = draw(deep.landmarks, n + 1);
+    const LandmarkSplit drawn = drawnLandmarks(deep.landmarks, Fitted, n + 1);
     Vec3 mean = Vec3::Zero();
     for (const LandmarkPair& pair : drawn.fitted) mean += pair.moved - pair.rest;
     mean /= static_cast<double>(drawn.fitted.size());
-    const LinearFit linear = fitLinearForm(drawn.fitted, lungs);
+    const PolynomialFit linear = fitPolynomialForm(drawn.fitted, lungs);
     const PublishedFit published = fitPublishedForm(drawn.fitted, lungs);
     const std::array<MotionOf, 3> fields = {
         [&](const LandmarkPair&) { return mean; },
         [&](const LandmarkPair& pair) -> Vec3 {
-          return linear.form.at(lungs.at(pair.side), pair.rest) + linear.shift;
+          const StrainedLung& lung = lungs.at(pair.side);
+          return PolynomialField(linear.form, lung.frame, lung.strain).at(pair.rest) + linear.shift;
         },
         [&](const LandmarkPair& pair) -> Vec3 {
           return publishedIn(published.form, lungs.at(pair.side)).at(pair.rest) + published.shift;
         }};
     for (std::size_t k = 0; k < fields.size(); ++k) {
-      const LandmarkError error = errorsOf(drawn.tested, fields[k]).raw;
+      const LandmarkError error = errorsOf(drawn.heldOut, fields[k]).raw;
       sums[k].meanMm += error.meanMm / Draws;
       sums[k].sdMm += error.sdMm / Draws;
     }
@@ -246,10 +236,9 @@ double caudalConstant(const std::vector<QuietBreathCase>& people, std::size_t le
 /// What `pneuma breathe` gives but for the layer, as there are no lungs to put it in. The strain is
 /// that of the lungs' insides, which the preset takes for 0.75 of the lungs'.
 MotionOf quietPreset(const QuietBreathCase& person) {
-  constexpr double InnerShare = 0.75;
   return [&person](const LandmarkPair& pair) {
     const StrainedLung& lung = person.lungs.at(pair.side);
-    const double gain = std::pow(1.0 + lung.strain / InnerShare, 3.0) - 1.0;
+    const double gain = std::pow(1.0 + lung.strain / InnerShareOfStrain, 3.0) - 1.0;
     return PresetField(MotionPreset::Quiet, lung.frame, gain).at(pair.rest);
   };
 }

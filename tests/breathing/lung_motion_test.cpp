@@ -139,9 +139,22 @@ INSTANTIATE_TEST_SUITE_P(Presets, Motions,
                                            MotionCase{{MotionPreset::Deep}, 0.6},
                                            MotionCase{{MotionPreset::Deep}, 1.0}));
 
-constexpr LungMotionOptions by(MotionModel model, Posture posture) {
+LungMotionOptions by(MotionModel model, Posture posture) {
   return {MotionPreset::Quiet, model, posture};
 }
+
+LungMotionOptions byForm(const MotionForm& form) {
+  LungMotionOptions options;
+  options.form = std::make_shared<const MotionForm>(form);
+  return options;
+}
+
+/// Of a lung in which every power is 1 or more, so that no place is infinitely steep.
+const PublishedForm Smooth{{0.2, 0.4, 1.0}, {1.0, 1.0, 1.3}, 0.1, {0.1, 0.2, 0.8}};
+
+INSTANTIATE_TEST_SUITE_P(OwnForms, Motions,
+                         ::testing::Values(MotionCase{byForm(evenForm()), 0.5, 4},
+                                           MotionCase{byForm(Smooth), 0.3, 4}));
 
 INSTANTIATE_TEST_SUITE_P(
     ByForces, Motions,
@@ -163,6 +176,17 @@ TEST(LungMotion, IsThePresetItselfInSupine) {
     const Vec3 p = 0.9 * mesh.points[n];
     EXPECT_EQ(moved.at(p), preset.at(p) + moved.layerMm() * layer.at(p));
   }
+}
+
+TEST(LungMotion, TakesSomebodysOwnConstantsInPlaceOfThePresets) {
+  const TriangleMesh mesh = egg(1.0, 4);
+  const double most = 1.331 * signedVolumeMm3(mesh);  // a strain of 0.1
+  const LungMotion moved(Side::Right, mesh, byForm(evenForm()), most);
+  const FormField field(evenForm(), LungFrame(Side::Right, bounds(mesh)), 0.1);
+  const VolumeLayer layer(mesh);
+  const Vec3 p = 0.5 * (mesh.points[0] + Vec3(-70.0, 10.0, 30.0));
+  EXPECT_LT((moved.at(p) - field.at(p) - moved.layerMm() * layer.at(p)).norm(), 1e-9);
+  EXPECT_GT(moved.layerMm(), 1.0);  // what 0.7 of the expansion lacks
 }
 
 /// The share of a straight line in the scales at volumes up to `mostMm3` more.

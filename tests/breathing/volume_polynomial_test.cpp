@@ -32,6 +32,7 @@ TEST(VolumePolynomial, IsTheVolumeOfTheMovedSurface) {
     TriangleMesh moved = mesh;
     for (std::size_t n = 0; n < u.size(); ++n) moved.points[n] += s * u[n];
     EXPECT_NEAR(volume.at(s) / signedVolumeMm3(moved), 1.0, 1e-12) << s;
+    EXPECT_EQ(movedVolumeMm3(mesh, u, s), signedVolumeMm3(moved)) << s;
   }
 }
 
