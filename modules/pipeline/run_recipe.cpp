@@ -103,8 +103,8 @@ class Runner {
                          recipe_.series);
     if (splits() && recipe_.lobes.snap) requireThinSlices(file.image);
     result.warnings = file.warnings;
-    model_ = modelOf(std::move(file),
-                     {recipe_.ct, recipe_.corrections, recipe_.series.wanted, 0, {}});
+    model_ =
+        modelOf(std::move(file), {recipe_.ct, recipe_.corrections, recipe_.series.wanted, 0, {}});
     model_.inputs = {{recipe_.ct.string(), content}};
     result.seconds = secondsSince(start);
     return result;

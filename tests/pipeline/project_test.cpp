@@ -86,6 +86,14 @@ Project everything() {
   fit->compliance = 0.1234567890123456789;
   fit->cycle.samples = {{0.1, 0.2, 0.3, 0.4}};
   state.breath->fit = fit;
+  auto person = std::make_shared<PersonMotion>();
+  person->name = "'/home/doe/person.json'";
+  person->kind = FormKind::Quiet;
+  std::vector<double> constants(constantCount(FormKind::Quiet), 0.1);
+  constants[3] = -0.25;
+  person->form = formOf(FormKind::Quiet, constants);
+  person->strain = {{Side::Left, 0.1}};
+  state.breath->person = person;
   for (const GrowthMethod& method : growthMethods()) project.next.growth.push_back(method.defaults);
   project.next.method = 1;
   project.next.breathe.frames = 33;
@@ -186,6 +194,11 @@ TEST(Project, ComesBackAsItWas) {
   EXPECT_EQ(opened.state.breath->tidalMl, 512.3);
   EXPECT_EQ(opened.state.breath->regions, saved.state.breath->regions);
   EXPECT_EQ(opened.state.breath->fit->compliance, saved.state.breath->fit->compliance);
+  const PersonMotion& person = *opened.state.breath->person;
+  EXPECT_EQ(person.name, "'person.json'") << "folders may carry names of people";
+  EXPECT_EQ(constantsOf(person.form, person.kind),
+            constantsOf(saved.state.breath->person->form, FormKind::Quiet));
+  EXPECT_EQ(person.strain, saved.state.breath->person->strain);
   EXPECT_EQ(opened.next.breathe, saved.next.breathe);
   EXPECT_EQ(opened.next.growth, saved.next.growth);
   EXPECT_EQ(opened.view, saved.view);

@@ -248,6 +248,32 @@ void describe(Archive& archive, T& fit) {
 }
 
 template <class Archive, class T>
+requires Is<T, PersonMotion>
+
+void describe(Archive& archive, T& person) {
+  // Of the path in quotation marks, folders may carry names of people.
+  std::string file = fileName(person.name);
+  std::erase(file, '\'');
+  archive("file", file);
+  archive("kind", person.kind);
+  std::vector<double> constants;
+  if constexpr (!Archive::Reading) constants = constantsOf(person.form, person.kind);
+  archive("constants", constants);
+  archive("landmarks", person.landmarks);
+  archive("held_out", person.heldOut);
+  archive("error_mm", person.errorMm);
+  archive("still_mm", person.stillMm);
+  archive("strain", person.strain);
+  archive("rest_ml", person.restMl);
+  if constexpr (Archive::Reading) {
+    person.name = "'";
+    person.name.append(file).append("'");
+    if (constants.size() != constantCount(person.kind)) archive.fail("has too few constants");
+    person.form = formOf(person.kind, constants);
+  }
+}
+
+template <class Archive, class T>
 requires Is<T, BreatheOptions>
 
 void describe(Archive& archive, T& options) {
@@ -255,6 +281,7 @@ void describe(Archive& archive, T& options) {
     archive(std::string(field.name).c_str(), options.*(field.member));
   });
   archive("fit", options.fit);
+  archive("person", options.person);
   archive("regions", options.regions);
 }
 
