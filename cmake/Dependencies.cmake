@@ -20,6 +20,7 @@ if(NOT PNEUMA_CORE_ONLY)
                FiltersCore FiltersGeneral FiltersGeometry FiltersSources
                IOCore IOGeometry IOImage IOOggTheora IOPLY IOXML ImagingCore
                InteractionStyle RenderingCore RenderingFreeType RenderingOpenGL2)
+  find_library(PNEUMA_HPDF hpdf REQUIRED)          # libharu: reports as PDF, private to pipeline
   find_package(DICOM 0.8 REQUIRED)                 # vtk-dicom: series of CT slices, private to io
   if(PNEUMA_BUILD_GUI)
     find_package(Qt5 5.15 REQUIRED COMPONENTS Core Gui Widgets Svg)
@@ -31,6 +32,9 @@ if(BUILD_TESTING)
   find_package(GTest 1.12 REQUIRED)
   if(PNEUMA_BUILD_GUI AND NOT PNEUMA_CORE_ONLY)
     find_package(Qt5 5.15 REQUIRED COMPONENTS Test)
+  endif()
+  if(NOT PNEUMA_CORE_ONLY)
+    find_package(OpenCV 4.6 REQUIRED COMPONENTS videoio) # reads the films that render writes
   endif()
   find_program(PNEUMA_XVFB_RUN xvfb-run)
   # Real data, kept outside the project; tests that need them say so and run on generated data without.

@@ -13,8 +13,8 @@ packages=(
   libcgal-dev libopencv-dev libvtk9-dev libvtk9-qt-dev qtbase5-dev libqt5svg5-dev
   # CT: DICOM series, zips of them, compressed volumes
   libvtk-dicom-dev libarchive-dev zlib1g-dev
-  # command line, reports, hashes of inputs
-  libcli11-dev nlohmann-json3-dev libssl-dev
+  # command line, reports (JSON, PDF), hashes of inputs
+  libcli11-dev nlohmann-json3-dev libhpdf-dev libssl-dev
   # tests and benchmarks
   libgtest-dev libgmock-dev libbenchmark-dev
   # a display without a screen, OpenGL in software, the font of pictures and window

@@ -7,6 +7,7 @@
 #include "cli/picture_arguments.h"
 #include "cli/text.h"
 #include "pipeline/case_page.h"
+#include "pipeline/case_pdf.h"
 #include "pipeline/case_report.h"
 #include "render/picture.h"
 
@@ -63,19 +64,21 @@ std::string failures(const Json& report) {
 ExitCode runReport(const ReportArguments& arguments, const CommonOptions& common,
                    const Progress& progress) {
   const std::filesystem::path kind = common.output.extension();
-  if (kind != ".html" && kind != ".json") {
-    throw Unsupported("reports are written as .html and .json; '" + common.output.string() +
+  if (kind != ".html" && kind != ".json" && kind != ".pdf") {
+    throw Unsupported("reports are written as .html, .pdf and .json; '" + common.output.string() +
                       "' ends otherwise");
   }
   requireOutput(common.output, common.existing());
   requireOtherThanInputs(common.output, arguments.inputs);
-  if (kind == ".html") requireDisplay();
+  if (kind != ".json") requireDisplay();
   const Project project = opened(arguments.inputs, progress.part(0.0, 0.3, "reading"));
   const Json report = caseReport(project, arguments.options, progress.part(0.3, 0.8, "measuring"));
-  const std::string text =
-      kind == ".json"
-          ? jsonText(report)
-          : casePage(report, picturesOf(project.state.model, progress.part(0.8, 1.0, "drawing")));
+  const auto pictures = [&] {
+    return picturesOf(project.state.model, progress.part(0.8, 1.0, "drawing"));
+  };
+  const std::string text = kind == ".json"  ? jsonText(report)
+                           : kind == ".pdf" ? casePdf(report, pictures())
+                                            : casePage(report, pictures());
   OutputSet outputs;
   outputs.add(common.output);
   writeFile(common.output, text, common.existing());
@@ -97,7 +100,8 @@ Run declareReport(CLI::App& app, CommonOptions& common) {
       ->required();
   app.add_flag("--identify", arguments->options.identify,
                "Name the case and its files, which may tell whose lungs they are.");
-  addOutput(app, common, "FILE", "The report: one page (.html) or everything (.json).")->required();
+  addOutput(app, common, "FILE", "The report: one page (.html, .pdf) or everything (.json).")
+      ->required();
   return [arguments, &common](const Progress& progress) {
     return runReport(*arguments, common, progress);
   };
