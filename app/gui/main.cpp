@@ -17,6 +17,7 @@ namespace {
 using namespace pneuma;
 
 constexpr const char* ThemeKey = "theme";
+constexpr const char* RecentKey = "recent";
 
 bool hasDisplay() {
 #ifdef Q_OS_UNIX
@@ -41,8 +42,8 @@ struct CommandLine {
     play.setFlags(QCommandLineOption::HiddenFromHelp);
     screenshots.setFlags(QCommandLineOption::HiddenFromHelp);
     parser.addOptions({help, version, theme, play, screenshots});
-    parser.addPositionalArgument("FILE", "Surfaces, folders and airway trees to open.",
-                                 "[FILE...]");
+    parser.addPositionalArgument(
+        "FILE", "A project, a CT, surfaces, folders and airway trees to open.", "[FILE...]");
   }
 };
 
@@ -72,6 +73,10 @@ int runWindow(const CommandLine& line) {
   window.setTheme(theme == QLatin1String("light") ? ThemeName::Light : ThemeName::Dark);
   QObject::connect(&window, &MainWindow::themeChosen, [&](ThemeName name) {
     if (!playing) settings.setValue(ThemeKey, name == ThemeName::Light ? "light" : "dark");
+  });
+  if (!playing) window.setRecent(settings.value(RecentKey).toStringList());
+  QObject::connect(&window, &MainWindow::recentChanged, [&](const QStringList& paths) {
+    if (!playing) settings.setValue(RecentKey, paths);
   });
   window.resize(1600, 1000);
   window.show();

@@ -310,6 +310,10 @@ QVariant ScriptPlayer::observed(const QJsonObject& step) const {
     const auto& surfaces = document.model().surfaces;
     return static_cast<int>(surfaces ? surfaces->size() : 0);
   }
+  if (state == QLatin1String("modified")) return document.modified();
+  if (state == QLatin1String("project")) {
+    return QString::fromStdString(document.projectPath().filename().string());
+  }
   if (state == QLatin1String("marks")) {
     return static_cast<int>(window_.fissures().marks().size());
   }

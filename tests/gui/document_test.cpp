@@ -101,14 +101,14 @@ TEST_F(DocumentTest, AnOrganThatThereIsNotIsSaid) {
 TEST_F(DocumentTest, OnlyAGrownTreeThatIsInNoFileIsUnsaved) {
   document.openSample();
   ASSERT_TRUE(idle());
-  EXPECT_FALSE(document.treeUnsaved());
+  EXPECT_FALSE(document.workUnsaved());
   openSampleAndGrow(200);
-  EXPECT_TRUE(document.treeUnsaved());
+  EXPECT_TRUE(document.workUnsaved());
   QSignalSpy saved(&document, &Document::treeWasSaved);
   document.saveTree(inFolder("tree.vtp"));
   ASSERT_TRUE(idle());
   EXPECT_EQ(saved.count(), 1);
-  EXPECT_FALSE(document.treeUnsaved());
+  EXPECT_FALSE(document.workUnsaved());
 }
 
 TEST_F(DocumentTest, UndoTakesAGrowthBackAndRedoBringsTheSameTreeAgain) {

@@ -77,6 +77,15 @@ LungModel joined(const LungModel& open, LungModel read) {
   return read;
 }
 
+/// False if they are of two cases, as far as anybody can tell.
+bool sharesAnything(const LungModel& a, const LungModel& b) {
+  const auto same = [](const auto& x, const auto& y) { return x && x == y; };
+  return same(a.ct, b.ct) || same(a.ctSource, b.ctSource) || same(a.surfaces, b.surfaces) ||
+         same(a.wholeLungs, b.surfaces) || same(a.surfaces, b.wholeLungs) ||
+         same(a.wholeLungs, b.wholeLungs) || same(a.labels, b.labels) ||
+         same(a.central, b.central) || same(a.opened, b.opened) || same(a.regions, b.regions);
+}
+
 QString whatWasRead(const LungModel& model) {
   QStringList parts;
   if (model.ct) parts << QStringLiteral("a CT of %1 voxels").arg(sizeText(model.ct->geometry));
@@ -129,6 +138,10 @@ bool Document::canGrow() const {
 
 void Document::open(std::vector<std::filesystem::path> paths) {
   touched_ = paths;
+  if (paths.size() == 1 && isProjectFileName(paths.front())) {
+    openProject(paths.front(), Opened::AsSaved);
+    return;
+  }
   jobs_.push(
       tr("Opening"), [this, paths = std::move(paths), open = snapshot_](const Progress& progress) {
         LungModel model = joined(open.model, openFiles(paths, progress.part(0.0, 0.95, "reading")));
@@ -137,8 +150,8 @@ void Document::open(std::vector<std::filesystem::path> paths) {
         next.name = name;
         return JobQueue::Continuation([this, next = std::move(next)] {
           emit said(tr("Opened %1").arg(whatWasRead(next.model)));
-          become(next, tr("open"));
-          if (next.model.ct && !next.model.labels) findLungs();
+          become(next, tr("open"), StepKind::Opening);
+          if (next.model.ct && !next.model.labels) findLungs(StepKind::Opening);
         });
       });
 }
@@ -152,7 +165,7 @@ void Document::openSample() {
     Snapshot next = snapshotOf(std::move(model), tr("Sample chest (synthetic)"));
     return JobQueue::Continuation([this, next = std::move(next)] {
       emit said(tr("Opened the sample chest: %1").arg(whatWasRead(next.model)));
-      become(next, tr("open the sample chest"));
+      become(next, tr("open the sample chest"), StepKind::Opening);
     });
   });
 }
@@ -165,7 +178,7 @@ void Document::openOrgan(std::string_view name) {
         progress.report(1.0);
         return JobQueue::Continuation([this, title, next = std::move(next)] {
           emit said(tr("Opened the built-in organ %1: %2").arg(title, whatWasRead(next.model)));
-          become(next, tr("open the organ %1").arg(title));
+          become(next, tr("open the organ %1").arg(title), StepKind::Opening);
         });
       });
 }
@@ -180,21 +193,22 @@ bool Document::lungsOutOfDate() const {
   return snapshot_.model.lungs && !(snapshot_.lungOptions == lungOptions_);
 }
 
-void Document::findLungs() {
-  jobs_.push(tr("Finding lungs"), [this, model = snapshot_.model, name = snapshot_.name,
+void Document::findLungs(StepKind kind) {
+  jobs_.push(tr("Finding lungs"), [this, kind, model = snapshot_.model, name = snapshot_.name,
                                    options = lungOptions_](const Progress& progress) {
     const auto start = std::chrono::steady_clock::now();
     const LungModel found = withLungs(model, options, progress.part(0.0, 0.7, "looking for air"));
     Snapshot next =
         snapshotOf(withSurfaces(found, {}, progress.part(0.7, 0.95, "drawing surfaces")), name);
     next.lungOptions = options;
-    return JobQueue::Continuation([this, next = std::move(next), seconds = secondsSince(start)] {
-      emit said(tr("Found the lungs in %1: right %2, left %3")
-                    .arg(withUnit(seconds, 1, "s"),
-                         withUnit(next.model.lungs->right.volumeMl, 0, "mL"),
-                         withUnit(next.model.lungs->left.volumeMl, 0, "mL")));
-      become(next, tr("find lungs"));
-    });
+    return JobQueue::Continuation(
+        [this, kind, next = std::move(next), seconds = secondsSince(start)] {
+          emit said(tr("Found the lungs in %1: right %2, left %3")
+                        .arg(withUnit(seconds, 1, "s"),
+                             withUnit(next.model.lungs->right.volumeMl, 0, "mL"),
+                             withUnit(next.model.lungs->left.volumeMl, 0, "mL")));
+          become(next, tr("find lungs"), kind);
+        });
   });
 }
 
@@ -244,7 +258,17 @@ void Document::fail(const QString& title, const QString& sentence) {
   emit failed(title, withoutFolders(sentence, touched_));
 }
 
-void Document::become(Snapshot next, const QString& stepName) {
+void Document::become(Snapshot next, const QString& stepName, StepKind kind) {
+  const bool otherCase = !sharesAnything(snapshot_.model, next.model);
+  const bool nothingNew = !modified() && kind == StepKind::Opening;
+  next.revision = ++lastRevision_;
+  if (nothingNew && (otherCase || projectPath_.empty())) savedRevision_ = next.revision;
+  if (otherCase) {
+    // Saving must not put one person's lungs in place of another's.
+    projectPath_.clear();
+    unknown_ = {};
+    ctStorage_ = CtStorage::Linked;
+  }
   undo_.push_back({stepName, std::move(snapshot_)});
   if (undo_.size() > UndoSteps) undo_.erase(undo_.begin());
   redo_.clear();

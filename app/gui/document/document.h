@@ -13,6 +13,7 @@
 #include "document/snapshot.h"
 #include "growth/growth.h"
 #include "pipeline/breathe.h"
+#include "pipeline/project.h"
 
 namespace pneuma {
 
@@ -92,9 +93,10 @@ class Document : public QObject {
 
   const JobQueue& jobs() const { return jobs_; }
 
-  /// Reads files and folders. A tree alone is added to the lobes or the CT that are open, lobes
-  /// alone to the tree or the CT, labels to the CT; otherwise what was read replaces what was
-  /// there. Can be undone. In a CT without labels the lungs are looked for at once.
+  /// Reads files and folders. A project alone replaces everything, also what could be undone. A
+  /// tree alone is added to the lobes or the CT that are open, lobes alone to the tree or the CT,
+  /// labels to the CT; otherwise what was read replaces what was there. Can be undone. In a CT
+  /// without labels the lungs are looked for at once.
   void open(std::vector<std::filesystem::path> paths);
 
   /// Opens the synthetic chest. Can be undone.
@@ -104,7 +106,7 @@ class Document : public QObject {
   void openOrgan(std::string_view name);
 
   /// Finds lungs and central airways in the CT with lungOptions(). Can be undone.
-  void findLungs();
+  void findLungs() { findLungs(StepKind::Work); }
 
   /// Sets what the lungs are split with. Lobes that are there follow. Can be undone, with them.
   /// Not while another job runs.
@@ -153,8 +155,32 @@ class Document : public QObject {
   /// True if the tree shown is in a file as it is.
   bool treeSaved() const { return saved_ != nullptr && saved_ == tree(); }
 
-  /// True if the tree shown was grown here and would be lost.
-  bool treeUnsaved() const { return snapshot_.model.growth != nullptr && !treeSaved(); }
+  /// The file of this case; empty if there is none yet.
+  const std::filesystem::path& projectPath() const { return projectPath_; }
+
+  /// Saves everything as a project; `view` and `thumbnail` are for whoever opens it.
+  void saveProject(const std::filesystem::path& path, CtStorage ct, Json view,
+                   std::string thumbnail);
+
+  /// Everything as it is now, for saveProject() and for recovery; no view and no thumbnail.
+  Project projectNow() const;
+
+  /// Opens what was kept of work that was lost: it counts as not saved. Where it would have been
+  /// saved is the view's "project".
+  void recover(const std::filesystem::path& file);
+
+  /// How the CT of the project is kept.
+  CtStorage ctStorage() const { return ctStorage_; }
+
+  /// What the project that was opened last says of the view.
+  const Json& openedView() const { return openedView_; }
+
+  /// True if something was done since the project was saved or opened.
+  bool modified() const { return snapshot_.revision != savedRevision_; }
+
+  /// True if work would be lost: something was done since, and it is more than a grown tree that
+  /// is in a file.
+  bool workUnsaved() const;
 
   bool canUndo() const { return !undo_.empty() && !jobs_.busy(); }
 
@@ -179,6 +205,12 @@ class Document : public QObject {
   /// The tree shown is in a file now.
   void treeWasSaved();
 
+  /// The project is in its file now.
+  void projectWasSaved();
+
+  /// A project was opened in place of everything before. After changed().
+  void projectWasOpened();
+
   /// One sentence on what has just been done, for the status bar.
   void said(const QString& sentence);
 
@@ -187,6 +219,11 @@ class Document : public QObject {
   void failed(const QString& title, const QString& sentence);
 
  private:
+  enum class Opened { AsSaved, Recovered };
+
+  /// Whether a step only brings in what is in files anyway.
+  enum class StepKind { Work, Opening };
+
   /// What the jobs do for the fissures; None if something else runs, or nothing.
   enum class LobeJob { None, Looking, Tracing, Splitting };
 
@@ -195,7 +232,13 @@ class Document : public QObject {
     Snapshot snapshot;
   };
 
-  void become(Snapshot next, const QString& stepName);
+  void findLungs(StepKind kind);
+  void become(Snapshot next, const QString& stepName, StepKind kind = StepKind::Work);
+  void openProject(const std::filesystem::path& path, Opened how);
+  void showProject(Project project, const std::filesystem::path& path, Opened how);
+  /// Remembers the hash of the CT, which takes a while to find.
+  void replaceSource(const std::shared_ptr<const CtSource>& before,
+                     const std::shared_ptr<const CtSource>& after);
   /// @param stepName of the undo step; none for a part of the last one
   void split(const QString& stepName);
   /// Makes edits the ones to split with, and what follows them.
@@ -221,7 +264,13 @@ class Document : public QObject {
   CtSheets sheets_;
   std::vector<Step> undo_;
   std::vector<Step> redo_;
-  std::shared_ptr<const AirwayTree> saved_;     ///< the tree that was saved last
+  std::shared_ptr<const AirwayTree> saved_;  ///< the tree that was saved last
+  std::filesystem::path projectPath_;
+  CtStorage ctStorage_ = CtStorage::Linked;
+  UnknownParts unknown_;  ///< of the project's file
+  Json openedView_ = Json::object();
+  std::uint64_t lastRevision_ = 0;
+  std::uint64_t savedRevision_ = 0;
   std::vector<std::filesystem::path> touched_;  ///< what open() and the savers last worked on
   JobQueue jobs_;
 };

@@ -183,6 +183,7 @@ void Document::split(const QString& stepName) {
         return;
       }
       snapshot_ = next;
+      snapshot_.revision = ++lastRevision_;
       emit changed();
     });
   });

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QString>
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <vector>
@@ -30,6 +31,7 @@ struct Snapshot {
   std::map<Fissure, FissureReview> reviews{};
   std::shared_ptr<const std::vector<LobeSurface>> grownIn{};  ///< the surfaces of model.growth
   std::shared_ptr<const Breath> breath{};  ///< of the surfaces and the tree; null: none yet
+  std::uint64_t revision = 0;              ///< another one for every other state of the work
 };
 
 /// A snapshot of `model` with the figures of its tree and its whole lungs.

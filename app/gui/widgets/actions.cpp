@@ -70,7 +70,18 @@ Actions makeActions(QWidget* window) {
     a.organs.push_back(action(window, objectName.c_str(), organTitle(name)));
     a.organs.back()->setData(qtText(name));
   }
-  a.saveTree = action(window, "actionSaveTree", tr("&Save tree..."), {keys("Ctrl+S")}, "save");
+  a.saveProject =
+      action(window, "actionSaveProject", tr("&Save project"), {keys("Ctrl+S")}, "save");
+  a.saveProjectAs = action(window, "actionSaveProjectAs", tr("Save project &as..."),
+                           {keys("Ctrl+Shift+S")}, "save");
+  a.packCt = action(window, "actionPackCt", tr("Save the &CT in the project too"));
+  a.packCt->setCheckable(true);
+  for (int i = 1; i <= RecentProjects; ++i) {
+    const std::string objectName = "actionRecent_" + std::to_string(i);
+    a.recents.push_back(action(window, objectName.c_str(), {}));
+    a.recents.back()->setVisible(false);
+  }
+  a.saveTree = action(window, "actionSaveTree", tr("Save &tree..."), {keys("Ctrl+E")}, "save");
   a.savePicture =
       action(window, "actionSavePicture", tr("Save &picture..."), {keys("F12")}, "camera");
   a.quit = action(window, "actionQuit", tr("&Quit"), {keys("Ctrl+Q")});
@@ -111,6 +122,10 @@ void fillMenus(QMenuBar& bar, const Actions& a) {
   QMenu* file = bar.addMenu(QObject::tr("&File"));
   file->addActions({a.open, a.openFolder, a.sample});
   file->addMenu(organMenu(a, file));
+  QMenu* recent = file->addMenu(QObject::tr("Open &recent"));
+  for (QAction* project : a.recents) recent->addAction(project);
+  file->addSeparator();
+  file->addActions({a.saveProject, a.saveProjectAs, a.packCt});
   file->addSeparator();
   file->addActions({a.openFissures, a.saveFissures});
   file->addSeparator();

@@ -14,12 +14,19 @@ namespace pneuma {
 /// The six named views, by letter.
 inline constexpr std::array<char, 6> ViewLetters = {'A', 'P', 'L', 'R', 'S', 'I'};
 
+/// So many projects are offered to be opened again.
+inline constexpr int RecentProjects = 8;
+
 /// Everything the window can be told to do; menus, buttons and keys share these.
 struct Actions {
   QAction* open = nullptr;
   QAction* openFolder = nullptr;
   QAction* sample = nullptr;
   std::vector<QAction*> organs;  ///< one for each of organNames(), which is its data()
+  QAction* saveProject = nullptr;
+  QAction* saveProjectAs = nullptr;
+  QAction* packCt = nullptr;      ///< checkable: the CT goes into the project
+  std::vector<QAction*> recents;  ///< projects of late, each one's path its data(); hidden: none
   QAction* saveTree = nullptr;
   QAction* savePicture = nullptr;
   QAction* quit = nullptr;

@@ -20,15 +20,34 @@ QFileDialog* fileDialog(QWidget* parent, const QString& title, const char* name)
   return dialog;
 }
 
+QMessageBox* questionBox(QWidget* parent, const QString& text, const QString& question) {
+  auto* box = new QMessageBox(parent);
+  box->setObjectName(QStringLiteral("closeQuestion"));
+  box->setAttribute(Qt::WA_DeleteOnClose);
+  box->setWindowTitle(QObject::tr("Pneuma"));
+  box->setText(text);
+  box->setInformativeText(question);
+  return box;
+}
+
+void addAnswer(QMessageBox* box, QMessageBox::StandardButton which, const char* name,
+               std::function<void()> answer) {
+  QPushButton* made = box->addButton(which);
+  made->setObjectName(QString::fromUtf8(name));
+  if (answer) QObject::connect(made, &QPushButton::clicked, box->parent(), std::move(answer));
+  if (which == QMessageBox::Cancel) box->setEscapeButton(QMessageBox::Cancel);
+}
+
 }  // namespace
 
 void askForFiles(QWidget* parent, std::function<void(const QStringList&)> chosen) {
-  auto* dialog =
-      fileDialog(parent, QObject::tr("Open a CT, lobe surfaces or airways"), "openDialog");
+  auto* dialog = fileDialog(parent, QObject::tr("Open a project, a CT, lobe surfaces or airways"),
+                            "openDialog");
   dialog->setFileMode(QFileDialog::ExistingFiles);
   dialog->setNameFilters(
       {QObject::tr("Everything that opens (*.nii *.nii.gz *.nrrd *.nhdr *.mha "
-                   "*.mhd *.dcm *.zip *.stl *.obj *.ply *.vtp *.vtu *.swc *.csv *.json)"),
+                   "*.mhd *.dcm *.zip *.stl *.obj *.ply *.vtp *.vtu *.swc *.csv *.json *.pneuma)"),
+       QObject::tr("Projects (*.pneuma)"),
        QObject::tr("CTs and labels (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.dcm "
                    "*.zip)"),
        QObject::tr("Surfaces and trees (*.stl *.obj *.ply *.vtp *.vtu *.swc "
@@ -67,24 +86,22 @@ void askWhereToSave(QWidget* parent, const QString& title, const QString& filter
   dialog->open();
 }
 
-void askBeforeClosing(QWidget* parent, std::function<void()> save, std::function<void()> discard) {
-  auto* box = new QMessageBox(parent);
-  box->setObjectName(QStringLiteral("closeQuestion"));
-  box->setAttribute(Qt::WA_DeleteOnClose);
-  box->setWindowTitle(QObject::tr("Pneuma"));
-  box->setText(QObject::tr("The grown airways are not saved."));
-  box->setInformativeText(QObject::tr("Save them before the window closes?"));
-  const auto button = [box](QMessageBox::StandardButton which, const char* name,
-                            std::function<void()> answer) {
-    QPushButton* made = box->addButton(which);
-    made->setObjectName(QString::fromUtf8(name));
-    if (answer) QObject::connect(made, &QPushButton::clicked, box->parent(), std::move(answer));
-  };
-  button(QMessageBox::Save, "closeSave", std::move(save));
-  button(QMessageBox::Discard, "closeDiscard", std::move(discard));
-  button(QMessageBox::Cancel, "closeCancel", {});
+void askBeforeLosing(QWidget* parent, const QString& question, std::function<void()> save,
+                     std::function<void()> discard) {
+  QMessageBox* box = questionBox(parent, QObject::tr("The work is not saved."),
+                                 QObject::tr("Save it as a project %1?").arg(question));
+  addAnswer(box, QMessageBox::Save, "closeSave", std::move(save));
+  addAnswer(box, QMessageBox::Discard, "closeDiscard", std::move(discard));
+  addAnswer(box, QMessageBox::Cancel, "closeCancel", {});
   box->setDefaultButton(QMessageBox::Save);
-  box->setEscapeButton(QMessageBox::Cancel);
+  box->open();
+}
+
+void askBeforeStopping(QWidget* parent, std::function<void()> stop) {
+  QMessageBox* box = questionBox(parent, QObject::tr("A job is running."),
+                                 QObject::tr("Stop it and close the window?"));
+  addAnswer(box, QMessageBox::Yes, "stopJob", std::move(stop));
+  addAnswer(box, QMessageBox::Cancel, "closeCancel", {});
   box->open();
 }
 

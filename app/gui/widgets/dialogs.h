@@ -22,8 +22,13 @@ void askForFolder(QWidget* parent, std::function<void(const QString&)> chosen);
 void askWhereToSave(QWidget* parent, const QString& title, const QString& filters,
                     const QString& suffix, std::function<void(const QString&)> chosen);
 
-/// Asks what becomes of a grown tree that is in no file; "Cancel" calls nothing.
-void askBeforeClosing(QWidget* parent, std::function<void()> save, std::function<void()> discard);
+/// Asks what becomes of work that is in no file; "Cancel" calls nothing.
+/// @param question what is about to happen: "before the window closes"
+void askBeforeLosing(QWidget* parent, const QString& question, std::function<void()> save,
+                     std::function<void()> discard);
+
+/// Asks whether a job that runs may be stopped to close the window.
+void askBeforeStopping(QWidget* parent, std::function<void()> stop);
 
 void showAbout(QWidget* parent);
 

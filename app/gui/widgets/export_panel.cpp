@@ -34,6 +34,15 @@ ExportPanel::ExportPanel(const Actions& actions, QWidget* parent) : QWidget(pare
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(4);
+  column->addWidget(heading(tr("Project")));
+  column->addSpacing(4);
+  auto* everything = new QLabel(tr("Everything in one file, to go on with it another day."));
+  everything->setProperty("role", "dim");
+  everything->setWordWrap(true);
+  column->addWidget(everything);
+  column->addSpacing(4);
+  column->addWidget(actionButton(actions.saveProject, "saveProject"));
+  column->addSpacing(14);
   column->addWidget(heading(tr("Airway tree")));
   formats_ = new QButtonGroup(this);
   for (std::size_t i = 0; i < Formats.size(); ++i) {

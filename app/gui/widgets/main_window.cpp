@@ -2,7 +2,6 @@
 
 #include <QApplication>
 #include <QBuffer>
-#include <QCloseEvent>
 #include <QDragEnterEvent>
 #include <QLabel>
 #include <QMimeData>
@@ -41,16 +40,6 @@ std::filesystem::path pathOf(const QString& name) { return name.toStdString(); }
 constexpr ViewDirection FirstView{-10.0, 6.0};
 
 }  // namespace
-
-void MainWindow::open(std::vector<std::filesystem::path> paths) {
-  if (paths.empty()) return;
-  if (document_.jobs().busy()) {
-    status_->say(tr("A job is running: cancel it or wait before opening something else."));
-    return;
-  }
-  errorCard_->hide();
-  document_.open(std::move(paths));
-}
 
 void MainWindow::setTheme(ThemeName name) {
   applyTheme(*qApp, name);
@@ -100,7 +89,7 @@ void MainWindow::connectActions() {
   connect(actions_.undo, &QAction::triggered, &document_, &Document::undo);
   connect(actions_.redo, &QAction::triggered, &document_, &Document::redo);
   connect(actions_.cancel, &QAction::triggered, this, &MainWindow::cancel);
-  connect(actions_.saveTree, &QAction::triggered, this, [this] { saveTree(); });
+  connect(actions_.saveTree, &QAction::triggered, this, &MainWindow::saveTree);
   connect(actions_.savePicture, &QAction::triggered, this, &MainWindow::savePicture);
   connect(actions_.quit, &QAction::triggered, this, &QWidget::close);
   connect(actions_.about, &QAction::triggered, this, [this] { showAbout(this); });
@@ -121,10 +110,6 @@ void MainWindow::connectDocument() {
   connect(&document_, &Document::growthOptionsChanged, this, &MainWindow::updateSteps);
   connect(&document_, &Document::said, status_, &StatusStrip::say);
   connect(&document_, &Document::failed, errorCard_, &ErrorCard::show);
-  connect(&document_, &Document::treeWasSaved, this, [this] {
-    if (const auto then = std::exchange(whenSaved_, {})) then();
-  });
-  connect(&document_, &Document::failed, this, [this] { whenSaved_ = {}; });
   const JobQueue& jobs = document_.jobs();
   connect(&jobs, &JobQueue::progressed, this, &MainWindow::updateSteps);
   connect(&jobs, &JobQueue::placed, view_, &SceneView::addPreview);
@@ -226,9 +211,7 @@ void MainWindow::showSnapshot() {
       structureView_->setCurrentIndex(structures_.index(0));
     }
   }
-  caseName_->setText(snapshot.name.isEmpty() ? tr("Nothing open") : snapshot.name);
-  setWindowTitle(snapshot.name.isEmpty() ? QStringLiteral("Pneuma")
-                                         : snapshot.name + QStringLiteral(" - Pneuma"));
+  showTitle();
   showBreathing();
   openPanel_->show(snapshot);
   status_->setWarnings(warningsOf(snapshot));
@@ -340,31 +323,12 @@ void MainWindow::cancel() {
   }
 }
 
-void MainWindow::closeEvent(QCloseEvent* event) {
-  if (leaving_ || !document_.treeUnsaved()) {
-    event->accept();
-    return;
-  }
-  event->ignore();
-  if (findChild<QWidget*>(QStringLiteral("closeQuestion")) != nullptr) return;
-  const auto save = [this] { saveTree([this] { close(); }); };
-  const auto discard = [this] {
-    leaving_ = true;
-    close();
-    leaving_ = false;
-  };
-  askBeforeClosing(this, save, discard);
-}
-
-void MainWindow::saveTree(std::function<void()> then) {
+void MainWindow::saveTree() {
   const QString format = exportPanel_->format();
   goTo(ExportStep);
   askWhereToSave(this, tr("Save the tree"),
                  QStringLiteral("%1 (*.%2)").arg(format.toUpper(), format), format,
-                 [this, then = std::move(then)](const QString& name) {
-                   whenSaved_ = then;
-                   document_.saveTree(pathOf(name));
-                 });
+                 [this](const QString& name) { document_.saveTree(pathOf(name)); });
 }
 
 void MainWindow::openFissures() {

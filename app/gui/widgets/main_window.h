@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QMainWindow>
+#include <QStringList>
 #include <array>
 #include <filesystem>
 #include <functional>
@@ -61,15 +62,22 @@ class MainWindow : public QMainWindow {
 
   BreathPlayer& player() { return player_; }
 
+  /// A project replaces everything: if work would be lost, asks first.
   void open(std::vector<std::filesystem::path> paths);
+
+  /// Offers projects to be opened again, the latest first.
+  void setRecent(const QStringList& paths);
 
   void setTheme(ThemeName name);
 
  signals:
   void themeChosen(pneuma::ThemeName name);
 
+  /// Other projects are offered now.
+  void recentChanged(const QStringList& paths);
+
  protected:
-  /// Asks first if a grown tree would be lost.
+  /// Asks first if work would be lost or a job runs.
   void closeEvent(QCloseEvent* event) override;
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
@@ -112,8 +120,18 @@ class MainWindow : public QMainWindow {
   void probe(std::optional<std::size_t> branch);
   void probePoint(const std::optional<Vec3>& point);
   void cancel();
-  /// @param then what to do once the tree is saved
-  void saveTree(std::function<void()> then = {});
+  void saveTree();
+  void connectProject();
+  /// @param then what to do once it is saved
+  void saveProject(std::function<void()> then = {});
+  void saveProjectAs(std::function<void()> then = {});
+  void saveProjectTo(const std::filesystem::path& path, std::function<void()> then);
+  /// What is shown and from where, for the project; and back.
+  Json viewNow() const;
+  void showView(const Json& view);
+  std::string thumbnail() const;
+  void showTitle();
+  void addRecent(const std::filesystem::path& path);
   void openFissures();
   void saveFissures();
   void savePicture();
@@ -127,6 +145,7 @@ class MainWindow : public QMainWindow {
   Actions actions_;
   std::optional<std::size_t> branch_;  ///< the selected one
   std::function<void()> whenSaved_;
+  QStringList recent_;
   bool leaving_ = false;  ///< closes without asking
 
   // What the scene holds, so that only what is new is handed to it.

@@ -230,6 +230,7 @@ MainWindow::MainWindow() : actions_(makeActions(this)) {
   connectView();
   connectFissures();
   connectBreathing();
+  connectProject();
   goTo(OpenStep);
   showSnapshot();
   status_->say(tr("Ready"));

@@ -46,6 +46,14 @@ void MainWindow::updateActions() {
                                 : tree ? tr("Save the tree that is shown")
                                        : tr("There is no tree to save yet"));
   actions_.savePicture->setEnabled(shown);
+  for (QAction* saving : {actions_.saveProject, actions_.saveProjectAs}) {
+    saving->setEnabled(shown && !busy);
+    saving->setToolTip(busy    ? wait
+                       : shown ? tr("Save everything, to go on with it another day")
+                               : tr("There is nothing to save yet"));
+  }
+  actions_.packCt->setEnabled(ct && !busy);
+  for (QAction* recent : actions_.recents) recent->setEnabled(!busy);
   actions_.cancel->setEnabled(busy || branch_ || fissures_.placing() || review_.active());
   actions_.undo->setEnabled(document_.canUndo());
   actions_.undo->setText(tr("&Undo %1").arg(document_.undoName()).trimmed());

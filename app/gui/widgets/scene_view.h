@@ -66,6 +66,8 @@ class SceneView : public QWidget {
   void select(std::optional<std::size_t> branch);
   void look(ViewDirection direction);
 
+  ViewDirection lookingFrom() const { return scene_->lookingFrom(); }
+
   /// Frames everything again, seen from where one stands.
   void resetView();
 
