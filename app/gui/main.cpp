@@ -3,13 +3,16 @@
 #include <QTimer>
 #include <cstdio>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "core/error.h"
+#include "document/recovery.h"
 #include "pipeline/report.h"
 #include "scripting.h"
 #include "widgets/application.h"
+#include "widgets/dialogs.h"
 #include "widgets/main_window.h"
 
 namespace {
@@ -78,11 +81,24 @@ int runWindow(const CommandLine& line) {
   QObject::connect(&window, &MainWindow::recentChanged, [&](const QStringList& paths) {
     if (!playing) settings.setValue(RecentKey, paths);
   });
+  // What was lost is offered before anything else is kept. Not to scripts, unless they say where.
+  std::unique_ptr<Recovery> recovery;
+  std::vector<LostWork> lost;
+  const std::filesystem::path kept = Recovery::usualFolder();
+  if (!kept.empty() && (!playing || qEnvironmentVariableIsSet("XDG_STATE_HOME"))) {
+    lost = Recovery::lostWork(kept);
+    recovery = std::make_unique<Recovery>(window.document(), kept);
+  }
   window.resize(1600, 1000);
   window.show();
   std::vector<std::filesystem::path> files;
   for (const QString& file : line.parser.positionalArguments())
     files.emplace_back(file.toStdString());
+  if (!lost.empty()) {
+    offerRecovery(
+        &window, lost.front().when, [&] { recovery->recover(lost.front()); },
+        [&] { Recovery::throwAway(lost.front()); });
+  }
   window.open(std::move(files));
   if (playing) {
     QTimer::singleShot(0, &window, [&] {

@@ -97,6 +97,20 @@ void askBeforeLosing(QWidget* parent, const QString& question, std::function<voi
   box->open();
 }
 
+void offerRecovery(QWidget* parent, const QString& when, std::function<void()> recover,
+                   std::function<void()> throwAway) {
+  QMessageBox* box =
+      questionBox(parent, QObject::tr("Pneuma ended unexpectedly."),
+                  QObject::tr("Work that was not saved was kept on %1. Open it?").arg(when));
+  box->setObjectName(QStringLiteral("recoverQuestion"));
+  addAnswer(box, QMessageBox::Open, "recoverOpen", std::move(recover));
+  addAnswer(box, QMessageBox::Discard, "recoverDiscard", std::move(throwAway));
+  addAnswer(box, QMessageBox::Cancel, "recoverLater", {});
+  box->button(QMessageBox::Cancel)->setText(QObject::tr("Later"));
+  box->setDefaultButton(QMessageBox::Open);
+  box->open();
+}
+
 void askBeforeStopping(QWidget* parent, std::function<void()> stop) {
   QMessageBox* box = questionBox(parent, QObject::tr("A job is running."),
                                  QObject::tr("Stop it and close the window?"));

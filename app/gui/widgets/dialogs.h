@@ -27,6 +27,11 @@ void askWhereToSave(QWidget* parent, const QString& title, const QString& filter
 void askBeforeLosing(QWidget* parent, const QString& question, std::function<void()> save,
                      std::function<void()> discard);
 
+/// Offers work that was lost when the program ended on its own.
+/// @param when it was kept
+void offerRecovery(QWidget* parent, const QString& when, std::function<void()> recover,
+                   std::function<void()> throwAway);
+
 /// Asks whether a job that runs may be stopped to close the window.
 void askBeforeStopping(QWidget* parent, std::function<void()> stop);
 

@@ -1,0 +1,59 @@
+#!/usr/bin/env bash
+# The window is killed in the middle of work, and offers that work when it is started again.
+# Needs PNEUMA, DESKTOP (pneuma-desktop), a display, and a folder OUT for its pictures.
+set -u
+: "${PNEUMA:?}" "${DESKTOP:?}" "${OUT:?}"
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+export XDG_STATE_HOME=$folder/state
+kept=$XDG_STATE_HOME/pneuma/recovery
+
+fail() {
+  echo "FAILED: $1"
+  exit 1
+}
+
+cat >"$folder/work.json" <<'END'
+[{"do": "trigger", "name": "actionSample"}, {"do": "wait"},
+ {"do": "click", "name": "stepAirways"}, {"do": "click", "name": "method_centroid"},
+ {"do": "set", "name": "option_terminals", "value": 300},
+ {"do": "click", "name": "grow"}, {"do": "wait"}, {"do": "pause", "seconds": 300}]
+END
+"$DESKTOP" --play "$folder/work.json" &
+window=$!
+for _ in $(seq 600); do
+  "$PNEUMA" info "$kept"/*.pneuma 2>/dev/null | grep -q 'grown by centroid' && break
+  kill -0 $window 2>/dev/null || fail "the window ended on its own"
+  sleep 0.1
+done
+kill -9 $window
+wait $window 2>/dev/null
+"$PNEUMA" info "$kept"/*.pneuma | grep -q 'grown by centroid' || fail "the work was not kept"
+[ "$(stat -c %a "$kept")" = 700 ] || fail "others may look into the folder"
+
+cat >"$folder/again.json" <<'END'
+[{"do": "expect", "name": "recoverQuestion", "property": "visible", "equals": true},
+ {"do": "screenshot", "file": "01_offered"},
+ {"do": "click", "name": "recoverOpen"}, {"do": "wait"},
+ {"do": "expect", "name": "errorCard", "property": "visible", "equals": false},
+ {"do": "expect", "state": "surfaces", "equals": 5},
+ {"do": "expect", "state": "grown", "above": 500},
+ {"do": "expect", "state": "modified", "equals": true},
+ {"do": "expect", "state": "project", "equals": ""},
+ {"do": "trigger", "name": "actionUndo"},
+ {"do": "expect", "state": "grown", "equals": 0},
+ {"do": "trigger", "name": "actionRedo"},
+ {"do": "expect", "state": "grown", "above": 500},
+ {"do": "screenshot", "file": "02_recovered"}]
+END
+"$DESKTOP" --play "$folder/again.json" --screenshots "$OUT" || fail "the work did not come back"
+
+# Whoever quits was asked: nothing is offered any more once the work is given up.
+cat >"$folder/discard.json" <<'END'
+[{"do": "click", "name": "recoverDiscard"}, {"do": "pause", "seconds": 0.1}]
+END
+if ls "$kept"/*.pneuma >/dev/null 2>&1; then
+  "$DESKTOP" --play "$folder/discard.json" || fail "it cannot be thrown away"
+fi
+ls "$kept"/*.pneuma >/dev/null 2>&1 && fail "something is left"
+echo "done"
