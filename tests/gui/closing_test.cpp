@@ -51,7 +51,7 @@ TEST_F(ClosingTest, SaveSavesAndThenCloses) {
   name->setText(QString::fromStdString(inFolder("kept").string()));
   QTest::keyClick(name, Qt::Key_Return);
   ASSERT_TRUE(idle());
-  EXPECT_FALSE(window.isVisible());
+  EXPECT_TRUE(QTest::qWaitFor([this] { return !window.isVisible(); }));
   EXPECT_EQ(treeOf(readProject(inFolder("kept.pneuma")).state.model)->size(), branches());
 }
 

@@ -31,6 +31,29 @@ std::string nameOf(const StructureModel::Structure& structure) {
   return structure.kind == StructureModel::Kind::Airways ? "airways" : "";
 }
 
+/// Dialogs that were answered may still be there.
+bool questionIsOpen(const QWidget& window) {
+  return std::ranges::any_of(window.findChildren<QWidget*>(QStringLiteral("closeQuestion")),
+                             &QWidget::isVisible);
+}
+
+/// A job that was cancelled takes a moment to stop.
+void closeWhenIdle(QWidget& window, const JobQueue& jobs) {
+  const auto closeSoon = [&window] {
+    QMetaObject::invokeMethod(&window, &QWidget::close, Qt::QueuedConnection);
+  };
+  if (!jobs.busy()) {
+    closeSoon();
+    return;
+  }
+  auto* once = new QObject(&window);
+  QObject::connect(&jobs, &JobQueue::busyChanged, once, [once, closeSoon](bool busy) {
+    if (busy) return;
+    once->deleteLater();
+    closeSoon();
+  });
+}
+
 }  // namespace
 
 void MainWindow::connectProject() {
@@ -42,7 +65,10 @@ void MainWindow::connectProject() {
   }
   connect(&document_, &Document::projectWasSaved, this, [this] {
     addRecent(document_.projectPath());
-    if (const auto then = std::exchange(whenSaved_, {})) then();
+    // Later: the job that saved is not over yet.
+    if (const auto then = std::exchange(whenSaved_, {})) {
+      QMetaObject::invokeMethod(this, then, Qt::QueuedConnection);
+    }
   });
   connect(&document_, &Document::projectWasOpened, this, [this] {
     actions_.packCt->setChecked(document_.ctStorage() == CtStorage::Packed);
@@ -65,7 +91,7 @@ void MainWindow::open(std::vector<std::filesystem::path> paths) {
     document_.open(std::move(paths));
     return;
   }
-  if (findChild<QWidget*>(QStringLiteral("closeQuestion")) != nullptr) return;
+  if (questionIsOpen(*this)) return;
   const auto open = [this, paths] { document_.open(paths); };
   askBeforeLosing(
       this, tr("before another one is opened"), [this, open] { saveProject(open); }, open);
@@ -78,12 +104,11 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     return;
   }
   event->ignore();
-  if (findChild<QWidget*>(QStringLiteral("closeQuestion")) != nullptr) return;
+  if (questionIsOpen(*this)) return;
   if (busy) {
     askBeforeStopping(this, [this] {
       document_.jobs().cancel();
-      // The question has to be gone before another one may come.
-      QMetaObject::invokeMethod(this, &QWidget::close, Qt::QueuedConnection);
+      closeWhenIdle(*this, document_.jobs());
     });
     return;
   }

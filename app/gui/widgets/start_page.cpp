@@ -32,7 +32,7 @@ StartPage::StartPage(const Actions& actions, QWidget* parent) : QWidget(parent) 
   auto* column = new QVBoxLayout(frame);
   column->setContentsMargins(36, 32, 36, 30);
   column->setSpacing(10);
-  column->addWidget(line(tr("Drop a CT or lobe surfaces here"), "title"));
+  column->addWidget(line(tr("Drop a project, a CT or lobe surfaces here"), "title"));
   column->addWidget(line(
       tr("A chest CT as a folder of DICOM, or as NIfTI, NRRD or MetaImage; or a folder of "
          "surfaces, or STL, OBJ, PLY and "
