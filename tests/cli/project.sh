@@ -57,6 +57,7 @@ expect "no rml.ply" test -s rml.ply
 succeeds "its tree" export case.pneuma -o tree.swc -q
 refuses "which surface" 2 'holds 7 things.*--only' export case.pneuma -o some.stl
 succeeds "growth in its lobes" grow case.pneuma --method centroid --set terminals=100 -o tree.vtp -q
+succeeds "its lobes again" lobes case.pneuma -o again -q
 succeeds "breathing of it" breathe case.pneuma --frames 2 -o breath.pvd -q
 refuses "with another input" 4 'opened alone' breathe case.pneuma rml.ply -o other.pvd
 refuses "over one that is there" 6 '--force' run recipe.json -o case.pneuma
