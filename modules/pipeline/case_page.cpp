@@ -2,7 +2,7 @@
 
 #include <vtkBase64Utilities.h>
 
-#include "pipeline/figure_table.h"
+#include "pipeline/detail/case_text.h"
 
 namespace pneuma {
 namespace {
@@ -68,14 +68,6 @@ std::string cell(std::string_view text, const char* kind = "") {
   return element("td", safe(text), kind);
 }
 
-std::string number(const Json& value, int decimals) {
-  return value.is_number() ? fixed(value.get<double>(), decimals) : std::string();
-}
-
-std::string percent(const Json& share) {
-  return share.is_number() ? fixed(100.0 * share.get<double>(), 1) + " %" : std::string();
-}
-
 /// @param head of the columns; those that begin with '#' hold numbers
 std::string table(const std::vector<std::string>& head, const std::string& rows) {
   std::string first;
@@ -106,9 +98,9 @@ std::string volumesOf(const Json& report) {
   std::string rows;
   for (const Json& volume : report.at("volumes")) {
     rows += element("tr", cell(volume.at("region").get<std::string>()) +
-                              cell(number(volume.at("ml"), 0), "n") +
-                              cell(percent(volume.at("share_of_lung")), "n") +
-                              cell(percent(volume.at("share_of_all")), "n")) +
+                              cell(caseNumber(volume.at("ml"), 0), "n") +
+                              cell(casePercent(volume.at("share_of_lung")), "n") +
+                              cell(casePercent(volume.at("share_of_all")), "n")) +
             "\n";
   }
   return heading("Volumes") + table({"Region", "#ml", "#of its lung", "#of all"}, rows);
@@ -130,8 +122,8 @@ std::string checksOf(const Json& report) {
     }
     failed += element("tr", cell(check.at("of").get<std::string>()) +
                                 cell(check.at("id").get<std::string>(), "bad") +
-                                cell(number(check.at("value"), 3), "n") + cell(limitsOf(check)) +
-                                cell(check.at("unit").get<std::string>())) +
+                                cell(caseNumber(check.at("value"), 3), "n") +
+                                cell(limitsOf(check)) + cell(check.at("unit").get<std::string>())) +
               "\n";
   }
   const std::size_t all = report.at("checks").size();
@@ -163,14 +155,14 @@ std::string breathOf(const Json& report) {
   std::string rows;
   for (const Json& lung : breath.at("lungs")) {
     rows += element("tr", cell(lung.at("lung").get<std::string>()) +
-                              cell(number(lung.at("rest_ml"), 0), "n") +
-                              cell(number(lung.at("least_ml"), 0), "n") +
-                              cell(number(lung.at("most_ml"), 0), "n")) +
+                              cell(caseNumber(lung.at("rest_ml"), 0), "n") +
+                              cell(caseNumber(lung.at("least_ml"), 0), "n") +
+                              cell(caseNumber(lung.at("most_ml"), 0), "n")) +
             "\n";
   }
   return heading("Breathing: " + breath.at("scenario").get<std::string>()) +
-         element("p", number(breath.at("tidal_ml"), 0) + " ml in " +
-                          number(breath.at("period_s"), 1) + " s. " +
+         element("p", caseNumber(breath.at("tidal_ml"), 0) + " ml in " +
+                          caseNumber(breath.at("period_s"), 1) + " s. " +
                           safe(breath.at("basis").get<std::string>())) +
          "\n" + table({"Lung", "#at rest, ml", "#least, ml", "#most, ml"}, rows);
 }

@@ -7,7 +7,7 @@
 #include <hpdf.h>
 
 #include "core/error.h"
-#include "pipeline/figure_table.h"
+#include "pipeline/detail/case_text.h"
 
 namespace pneuma {
 namespace {
@@ -197,14 +197,6 @@ class Column {
   std::size_t page_ = 0;
 };
 
-std::string number(const Json& value, int decimals, const char* unit = "") {
-  return value.is_number() ? fixed(value.get<double>(), decimals) + unit : std::string();
-}
-
-std::string percent(const Json& share) {
-  return share.is_number() ? fixed(100.0 * share.get<double>(), 1) + " %" : std::string();
-}
-
 /// Title, line of versions and pictures. @returns where columns begin
 float head(Sheets& sheets, const std::string& title, const std::string& below,
            const std::vector<PagePicture>& pictures) {
@@ -246,8 +238,8 @@ void addVolumes(const Json& report, Column& column) {
   column.title("Volumes");
   column.row({"Region", "ml", "of its lung", "of all"}, ends, true);
   for (const Json& volume : report.at("volumes")) {
-    column.row({volume.at("region").get<std::string>(), number(volume.at("ml"), 0),
-                percent(volume.at("share_of_lung")), percent(volume.at("share_of_all"))},
+    column.row({volume.at("region").get<std::string>(), caseNumber(volume.at("ml"), 0),
+                casePercent(volume.at("share_of_lung")), casePercent(volume.at("share_of_all"))},
                ends);
   }
 }
@@ -263,11 +255,12 @@ void addChecks(const Json& report, Column& column) {
                    all ? Ink::Green : Ink::Red);
   for (const Json& check : checks) {
     if (check.at("ok").get<bool>()) continue;
-    column.paragraph(check.at("of").get<std::string>() + ", " + check.at("id").get<std::string>() +
-                         ": " + number(check.at("value"), 3) + ", limit " +
-                         (check.at("low").is_number() ? number(check.at("low"), 3) + " to " : "") +
-                         number(check.at("high"), 3) + " " + check.at("unit").get<std::string>(),
-                     Ink::Red);
+    column.paragraph(
+        check.at("of").get<std::string>() + ", " + check.at("id").get<std::string>() + ": " +
+            caseNumber(check.at("value"), 3) + ", limit " +
+            (check.at("low").is_number() ? caseNumber(check.at("low"), 3) + " to " : "") +
+            caseNumber(check.at("high"), 3) + " " + check.at("unit").get<std::string>(),
+        Ink::Red);
   }
 }
 
@@ -276,13 +269,13 @@ void addBreath(const Json& report, Column& column) {
   const Json& breath = report.at("breathing");
   const std::vector<float> ends = {0.0F, 0.5F, 0.75F, 1.0F};
   column.title("Breathing: " + breath.at("scenario").get<std::string>());
-  column.paragraph(number(breath.at("tidal_ml"), 0, " ml in ") +
-                   number(breath.at("period_s"), 1, " s. ") +
+  column.paragraph(caseNumber(breath.at("tidal_ml"), 0, " ml in ") +
+                   caseNumber(breath.at("period_s"), 1, " s. ") +
                    breath.at("basis").get<std::string>());
   column.row({"Lung", "at rest, ml", "least, ml", "most, ml"}, ends, true);
   for (const Json& lung : breath.at("lungs")) {
-    column.row({lung.at("lung").get<std::string>(), number(lung.at("rest_ml"), 0),
-                number(lung.at("least_ml"), 0), number(lung.at("most_ml"), 0)},
+    column.row({lung.at("lung").get<std::string>(), caseNumber(lung.at("rest_ml"), 0),
+                caseNumber(lung.at("least_ml"), 0), caseNumber(lung.at("most_ml"), 0)},
                ends);
   }
 }

@@ -191,4 +191,42 @@ double changeByModulusPercent(double factor, bool normalised) {
   return differencePercent(pattern(factor), pattern(1.0));
 }
 
+RecoveredModuli recoveredModuli() {
+  constexpr std::size_t MostSolutions = 200;
+  constexpr double Enough = 1e-3;  // relative change of a modulus in a step
+  const TriangleMesh mesh = plane();
+  const std::size_t count = mesh.points.size();
+  const std::vector<double> force(count, 1.0);
+  const auto divideByMean = [](std::vector<double>& modulus) {
+    double logarithms = 0.0;
+    for (const double value : modulus) logarithms += std::log(value);
+    const double mean = std::exp(logarithms / static_cast<double>(modulus.size()));
+    for (double& value : modulus) value /= mean;
+  };
+  Random random(1);
+  std::vector<double> truth;
+  for (std::size_t n = 0; n < count; ++n) truth.push_back(std::exp2(random.uniform(-1.0, 1.0)));
+  divideByMean(truth);
+  const std::vector<double> moved = SpringNetwork(mesh, truth).forces(force);
+  // A mass that moves too far is stiffer than thought; what it keeps goes by 1 / E^2.
+  std::vector<double> modulus(count, 1.0);
+  RecoveredModuli recovered;
+  for (double change = 1.0; change > Enough && recovered.solutions < MostSolutions;) {
+    const std::vector<double> found = SpringNetwork(mesh, modulus).forces(force);
+    ++recovered.solutions;
+    change = 0.0;
+    for (std::size_t n = 0; n < count; ++n) {
+      const double factor = std::sqrt(found[n] / moved[n]);
+      modulus[n] *= factor;
+      change = std::max(change, std::abs(factor - 1.0));
+    }
+    divideByMean(modulus);
+  }
+  for (std::size_t n = 0; n < count; ++n) {
+    recovered.largestErrorPercent =
+        std::max(recovered.largestErrorPercent, 100.0 * std::abs(modulus[n] / truth[n] - 1.0));
+  }
+  return recovered;
+}
+
 }  // namespace pneuma

@@ -45,4 +45,14 @@ BlownDisc blownDisc(double ratio);
 /// @param normalised moduli are divided by their mean before, as in SpringNetwork
 double changeByModulusPercent(double factor, bool normalised);
 
+/// Regional expandability found again from how far points move and from the force on them ("the
+/// deformation operators can also be used to estimate the alveolar expandability").
+struct RecoveredModuli {
+  double largestErrorPercent = 0.0;  ///< of a mass's modulus, by the one it had
+  std::size_t solutions = 0;         ///< of the network, until it was found
+};
+
+/// The plane with random moduli, a half to twice the mean; only their ratios can be told.
+RecoveredModuli recoveredModuli();
+
 }  // namespace pneuma

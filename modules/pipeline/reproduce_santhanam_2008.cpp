@@ -9,12 +9,14 @@
 namespace pneuma {
 namespace {
 
-constexpr std::array<PaperTable, 7> MotionTables = {
+constexpr std::array<PaperTable, 9> MotionTables = {
     {{"pressure-volume", "Section III-B: pressure and volume"},
      {"linearity", "Fig. 4: dimensions while volume rises"},
      {"plane", "Fig. 7 and 8: a plane of masses that is bent"},
      {"disc", "Fig. 9: a disc of masses that is blown up"},
      {"modulus", "Conclusion: \"independent of the absolute Young's modulus\""},
+     {"expandability", "Conclusion: expandability found again from displacements"},
+     {"tumour", "Fig. 13 and after: a tumour that moves away from a needle"},
      {"steps", "Section V: steps in real time"},
      {"missing", "What cannot be repeated"}}};
 
@@ -140,6 +142,37 @@ void modulusTable(MotionRows& rows) {
   }
 }
 
+void expandabilityTable(MotionRows& rows) {
+  const char* words =
+      "the paper: the operators \"can also be used to estimate the alveolar expandability\", "
+      "without a figure; from how far masses go under a known force, up to a common factor";
+  const RecoveredModuli recovered = recoveredModuli();
+  rows.push_back({"21 x 21", "largest error of a modulus, %", NotPublished,
+                  recovered.largestErrorPercent, Limit::range(0.0, 1.0), words});
+  rows.push_back({"21 x 21",
+                  "solutions of the network",
+                  NotPublished,
+                  static_cast<double>(recovered.solutions),
+                  {},
+                  "moduli of a half to twice the mean, at random"});
+}
+
+void tumourTable(MotionRows& rows) {
+  const NeedledTumour tumour = needledTumour();
+  const char* words =
+      "the paper names needles and radiation as uses, without a figure; the sample's right lung, "
+      "500 ml with both, the needle from the side through where the centre is at the end of "
+      "expiration";
+  rows.push_back({"lower lung", "tumour from a needle held still, mm, most", NotPublished,
+                  tumour.farthestMm, Limit::range(1.0, 30.0), words});
+  rows.push_back({"lower lung",
+                  "share of the breath in which a tumour of 15 mm is hit",
+                  NotPublished,
+                  tumour.hitShare,
+                  {},
+                  words});
+}
+
 void stepTable(MotionRows& rows) {
   constexpr double TidalMl = 500.0;
   constexpr double StepsPerSecond = 66.66;
@@ -202,6 +235,8 @@ void reproduceSanthanam2008(const ReproduceOptions& options, Reproduction& resul
     if (table.id == "plane") planeTable(table.rows);
     if (table.id == "disc") discTable(table.rows);
     if (table.id == "modulus") modulusTable(table.rows);
+    if (table.id == "expandability") expandabilityTable(table.rows);
+    if (table.id == "tumour") tumourTable(table.rows);
     if (table.id == "steps") stepTable(table.rows);
     if (table.id == "missing") missingMotionTable(table.rows);
     result.tables.push_back(std::move(table));

@@ -1,5 +1,6 @@
 #include "pipeline/santhanam_2008.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -78,6 +79,36 @@ double linearity(const std::vector<double>& x, const std::vector<double>& y, std
     ofY += (y[n] - meanY) * (y[n] - meanY);
   }
   return both * both / (ofX * ofY);
+}
+
+NeedledTumour needledTumour() {
+  constexpr int Moments = 500;
+  constexpr double Height = 0.3;  // of the lung's box, from its base
+  const std::map<Side, TriangleMesh> walls = sampleWalls();
+  double bothMm3 = 0.0;
+  for (const auto& [side, wall] : walls) bothMm3 += signedVolumeMm3(wall);
+  const TriangleMesh& wall = walls.at(Side::Right);
+  const double share = signedVolumeMm3(wall) / bothMm3;
+  const BreathScenario& scenario = scenarioOf(Breathing::Quiet);
+  const BreathCycle cycle = periodicBreath(scenario.mechanics, scenario.drive);
+  const auto volumeAt = [&](double litres) {
+    return signedVolumeMm3(wall) + share * litres * CubicMmPerLitre;
+  };
+  const LungMotion motion(Side::Right, wall, MotionPreset::Quiet,
+                          volumeAt(cycle.trapped + cycle.tidal));
+  const Box3 box = bounds(wall);
+  Vec3 centre = box.center();
+  centre.z() = box.min().z() + Height * box.sizes().z();
+  const Vec3 u = motion.at(centre);
+  const double across = std::hypot(u.y(), u.z());  // the needle lies along x
+  NeedledTumour tumour{7.5, 0.0, 0.0};
+  for (int n = 0; n < Moments; ++n) {
+    const double litres = cycle.at(static_cast<double>(n) / Moments).volume;
+    const double distance = motion.scaleFor(volumeAt(litres)) * across;
+    tumour.farthestMm = std::max(tumour.farthestMm, distance);
+    if (distance <= tumour.radiusMm) tumour.hitShare += 1.0 / Moments;
+  }
+  return tumour;
 }
 
 }  // namespace pneuma

@@ -29,4 +29,15 @@ InhaledVolumes inhaledVolumes(const Progress& progress = {});
 /// Share of the variance of `y` that a line through the first `count` points explains: R^2.
 double linearity(const std::vector<double>& x, const std::vector<double>& y, std::size_t count);
 
+/// A tumour in the lower part of the right lung and a needle that lies through it at the end of
+/// expiration, from the side, held still while the lungs breathe.
+struct NeedledTumour {
+  double radiusMm = 0.0;
+  double farthestMm = 0.0;  ///< of its centre from the needle
+  double hitShare = 0.0;    ///< of the breath's time in which the needle is in it
+};
+
+/// The sample's right lung in quiet breathing.
+NeedledTumour needledTumour();
+
 }  // namespace pneuma
