@@ -23,7 +23,7 @@ namespace {
 
 constexpr const char* Origin = "origin";
 constexpr std::size_t ShellTriangles = 8000;
-constexpr double LeastKept = 0.2;  // of triangles, by taking points out one after the other
+constexpr double LeastKept = 0.3;  // of triangles, by taking points out one after the other
 
 /// Without those that lie upon each other: the two sides of a sheet that has no room between them.
 void dropFolded(std::vector<std::array<std::uint32_t, 3>>& triangles) {
