@@ -32,6 +32,7 @@ namespace {
 
 /// Long enough for the 3-D view to draw its fine picture.
 constexpr double SettleSeconds = 0.4;
+constexpr int MostSettles = 20;
 
 [[noreturn]] void fail(const QString& sentence) { throw ScriptError(sentence.toStdString()); }
 
@@ -287,6 +288,9 @@ void ScriptPlayer::turnWheel(const QString& name, int notches) const {
 
 void ScriptPlayer::screenshot(const QString& name) const {
   spin(SettleSeconds);
+  // Lungs that stand are shown as they are, however slow the machine.
+  const bool stands = window_.player().breath() && !window_.player().playing();
+  for (int n = 0; stands && !window_.view().detailed() && n < MostSettles; ++n) spin(SettleSeconds);
   QDir().mkpath(outFolder_);
   const QRect frame = window_.frameGeometry();
   const QPixmap shot =

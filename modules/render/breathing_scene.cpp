@@ -23,7 +23,8 @@ namespace {
 
 constexpr const char* Origin = "origin";
 constexpr std::size_t ShellTriangles = 8000;
-constexpr double LeastKept = 0.2;  // of triangles, by taking points out one after the other
+constexpr std::size_t ManyTriangles = 100'000;
+constexpr double LeastKept = 0.3;  // of triangles, by taking points out one after the other
 
 /// Without those that lie upon each other: the two sides of a sheet that has no room between them.
 void dropFolded(std::vector<std::array<std::uint32_t, 3>>& triangles) {
@@ -118,7 +119,8 @@ TriangleMesh decimated(const TriangleMesh& mesh, std::size_t triangles,
                        std::vector<std::size_t>& origins) {
   const auto wanted = static_cast<double>(triangles);
   const double keep = wanted / static_cast<double>(mesh.triangles.size());
-  if (keep >= LeastKept) return reduced(mesh, keep, origins);
+  if (keep >= LeastKept || mesh.triangles.size() < ManyTriangles)
+    return reduced(mesh, keep, origins);
   // To take so many points out one after the other would take seconds.
   const double cellMm = std::sqrt(3.0 * LeastKept * areaMm2(mesh) / wanted);
   std::vector<std::size_t> before;

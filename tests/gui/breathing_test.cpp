@@ -112,8 +112,8 @@ TEST_F(BreathingTest, ShowsTheChestWallOfAPneumothoraxAndTheEndsOfTheBreath) {
   const Breath& breath = *document.snapshot().breath;
   EXPECT_GT(scaleAt(breath, fullestPhase(breath.lungs)).chestWall, 0.9);
   const auto& rows = breathSheet(breath).rows;
-  EXPECT_TRUE(std::ranges::any_of(
-      rows, [](const PropertyRow& row) { return row.label == "Pleural gap"; }));
+  EXPECT_TRUE(
+      std::ranges::any_of(rows, [](const PropertyRow& row) { return row.label == "Pleural gap"; }));
 }
 
 TEST_F(BreathingTest, BallsArePlacedChangedRemovedAndTakenBack) {

@@ -183,13 +183,6 @@ TEST(Breathe, HasAFrameForAnyMoment) {
   EXPECT_NEAR(most - least, lungs.cycle.tidal, 1e-9);
 }
 
-TEST(Breathe, RefusesABreathThatFoldsBetweenTheMomentsThatAreWritten) {
-  BreatheOptions options;
-  options.frames = 1;
-  options.tidalMl = 9999.0;
-  EXPECT_THROW(breathe(grownChest(), options), InvalidInput);
-}
-
 TEST(Breathe, TheChestWallStandsWhereTheCollapsedLungWasAndKeepsItsDistance) {
   const BreathingLungs lungs = breathing(Breathing::Pneumothorax);
   EXPECT_FALSE(breathing(Breathing::Quiet, 1).chestWall.has_value());
