@@ -181,16 +181,18 @@ void requireSpelled(const RenderArguments& arguments) {
   for (const std::string& marker : arguments.slices.markers) (void)markerPoint(marker);
 }
 
-ExitCode runRender(RenderArguments arguments, const CommonOptions& common,
+ExitCode runRender(const RenderArguments& arguments, const CommonOptions& common,
                    const Progress& progress) {
   requireSpelled(arguments);
   requireUsable(arguments, common);
   if (isFilm(common.output)) return writeFilm(arguments, common, progress);
+  LungModel model;
   if (drawsSeries(arguments)) {
     const Series series = readSeries(arguments.inputs.front());
-    arguments.inputs = series.moments[series.nearestTo(arguments.time)].files;
+    model = openMoment(series.moments[series.nearestTo(arguments.time)]);
+  } else {
+    model = openFiles(arguments.inputs, progress.part(0.0, 0.5, "reading"));
   }
-  LungModel model = openFiles(arguments.inputs, progress.part(0.0, 0.5, "reading"));
   if (!model.ct && arguments.slices.any()) {
     throw InvalidInput("slices, labels and marks need a CT, and none of the inputs is one");
   }

@@ -21,30 +21,6 @@ double sizeOf(const LungModel& model) {
   return box.isEmpty() ? 0.0 : box.diagonal().norm();
 }
 
-/// What the files of a moment hold, unexamined: all moments have the triangles of the first, and to
-/// look for some that cut each other takes longer than to draw them.
-LungModel opened(const SeriesMoment& moment) {
-  auto surfaces = std::make_shared<std::vector<LobeSurface>>();
-  LungModel model;
-  for (const std::filesystem::path& path : moment.files) {
-    if (isTreeFile(path)) {
-      model.opened = std::make_shared<const AirwayTree>(readTree(path).tree);
-      continue;
-    }
-    SurfaceFile file = readSurface(path);
-    std::map<Lobe, TriangleMesh> parts = lobeParts(file.mesh, file.lobes);
-    if (parts.empty()) parts.emplace(Lobe::Whole, std::move(file.mesh));
-    for (auto& [lobe, mesh] : parts) {
-      surfaces->push_back({lobe,
-                           path.filename().string(),
-                           std::make_shared<const TriangleMesh>(std::move(mesh)),
-                           {}});
-    }
-  }
-  model.surfaces = std::move(surfaces);
-  return model;
-}
-
 }  // namespace
 
 std::size_t Series::nearestTo(double seconds) const {
@@ -81,6 +57,28 @@ Series readSeries(const std::filesystem::path& pvd) {
   return series;
 }
 
+LungModel openMoment(const SeriesMoment& moment) {
+  auto surfaces = std::make_shared<std::vector<LobeSurface>>();
+  LungModel model;
+  for (const std::filesystem::path& path : moment.files) {
+    if (isTreeFile(path)) {
+      model.opened = std::make_shared<const AirwayTree>(readTree(path).tree);
+      continue;
+    }
+    SurfaceFile file = readSurface(path);
+    std::map<Lobe, TriangleMesh> parts = lobeParts(file.mesh, file.lobes);
+    if (parts.empty()) parts.emplace(Lobe::Whole, std::move(file.mesh));
+    for (auto& [lobe, mesh] : parts) {
+      surfaces->push_back({lobe,
+                           path.filename().string(),
+                           std::make_shared<const TriangleMesh>(std::move(mesh)),
+                           {}});
+    }
+  }
+  model.surfaces = std::move(surfaces);
+  return model;
+}
+
 void drawSeries(const std::vector<SeriesMoment>& moments, Scene& scene, ViewDirection view,
                 const std::function<void(const LungModel& model)>& show,
                 const std::function<void()>& draw, const Progress& progress) {
@@ -88,7 +86,7 @@ void drawSeries(const std::vector<SeriesMoment>& moments, Scene& scene, ViewDire
   double done = 0.0;
   double largest = -1.0;
   for (const SeriesMoment& moment : moments) {
-    const LungModel model = opened(moment);
+    const LungModel model = openMoment(moment);
     if (const double size = sizeOf(model); size > largest) {
       largest = size;
       show(model);
@@ -97,7 +95,7 @@ void drawSeries(const std::vector<SeriesMoment>& moments, Scene& scene, ViewDire
     progress.report(++done / steps);
   }
   for (const SeriesMoment& moment : moments) {
-    show(opened(moment));
+    show(openMoment(moment));
     draw();
     progress.report(++done / steps);
   }

@@ -34,6 +34,12 @@ bool isSeries(const std::filesystem::path& path);
 /// @throws InputMissing, InvalidInput
 Series readSeries(const std::filesystem::path& pvd);
 
+/// What the files of a moment hold, unexamined: all moments have the triangles of the first, and to
+/// look for some that cut each other takes longer than to draw them. Surfaces come as the lobes
+/// that their triangles name.
+/// @throws InputMissing, InvalidInput
+LungModel openMoment(const SeriesMoment& moment);
+
 /// Opens the moments one after the other and draws each by `draw`, all from one place from which
 /// the largest is seen whole.
 /// @param show puts a model into the scene

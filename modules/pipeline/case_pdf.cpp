@@ -282,7 +282,7 @@ void addBreath(const Json& report, Column& column) {
 
 void addAirways(const Json& report, Column& column) {
   if (!report.contains("airways")) return;
-  const std::vector<float> ends = {0.0F, 0.78F, 1.0F};
+  const std::vector<float> ends = {0.0F, 0.7F, 1.0F};
   column.title("Airways");
   column.row({"Figure", "here", "published"}, ends, true);
   for (const Json& figure : report.at("airways").at("figures")) {

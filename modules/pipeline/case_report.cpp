@@ -95,6 +95,20 @@ Json breathOf(const Json& report) {
   return breath;
 }
 
+/// The files that it was made from, as far as their hashes are known.
+std::vector<InputFile> inputsOf(const LungModel& model) {
+  std::vector<InputFile> inputs = model.inputs;
+  if (model.ctSource && !model.ctSource->sha256.empty()) {
+    const std::string name = model.ctSource->path.filename().string();
+    std::erase_if(inputs, [&](const InputFile& input) {
+      return std::filesystem::path(input.path).filename() == name;
+    });
+    inputs.insert(inputs.begin(), {model.ctSource->path.string(), model.ctSource->sha256});
+  }
+  std::erase_if(inputs, [](const InputFile& input) { return input.sha256.empty(); });
+  return inputs;
+}
+
 /// `text` without a name, wherever it stands.
 std::string without(std::string text, const std::string& name, const std::string& instead) {
   for (std::size_t at = text.find(name); !name.empty() && at != std::string::npos;
@@ -139,7 +153,7 @@ Json caseReport(const Project& project, const CaseReportOptions& options,
         std::visit([](const auto& o) { return toJson(o); }, model.growth->options);
   }
   if (state.breath) parameters["breathing"] = toJson(*state.breath);
-  Json report = reportEnvelope("pneuma/case/1", model.inputs, std::move(parameters),
+  Json report = reportEnvelope("pneuma/case/1", inputsOf(model), std::move(parameters),
                                model.growth ? seedOf(model.growth->options) : options.seed);
   report["case"] = state.name;
   Checks checks;

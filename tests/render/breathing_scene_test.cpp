@@ -232,6 +232,18 @@ TEST(BreathingScene, CoarseSurfacesAreFewTrianglesBetweenTheSamePoints) {
   EXPECT_EQ(few.surfaces[0].coarse, nullptr);
 }
 
+TEST(BreathingScene, AVeryFineSurfaceIsThinnedOutBetweenItsOwnPointsAndKeepsItsShape) {
+  const TriangleMesh fine = test::ellipsoid(RightCentre, {50.0, 75.0, 110.0}, 9);
+  ASSERT_GT(fine.triangles.size(), 100000U);
+  const BreathingScene::Shell shell =
+      shellOf(BreathingScene::Shell::Of::ChestWall, Side::Right, fine, displacements(fine));
+  EXPECT_NEAR(static_cast<double>(shell.mesh->triangles.size()), 8000.0, 1000.0);
+  EXPECT_NEAR(signedVolumeMm3(*shell.mesh) / signedVolumeMm3(fine), 1.0, 0.02);
+  for (std::size_t n = 0; n < shell.mesh->points.size(); ++n) {
+    EXPECT_EQ(shell.displacement[n], displacementAt(shell.mesh->points[n]));
+  }
+}
+
 BreathingScene::Shell chestWall() {
   const TriangleMesh wall = test::ellipsoid(LeftCentre, {58.0, 84.0, 120.0});
   return shellOf(BreathingScene::Shell::Of::ChestWall, Side::Left, wall, displacements(wall));

@@ -12,10 +12,10 @@
 
 namespace pneuma::test {
 
-/// A closed ellipsoid, oriented outwards.
-inline TriangleMesh ellipsoid(const Vec3& centre, const Vec3& semiAxes) {
-  constexpr std::uint32_t Rows = 24;
-  constexpr std::uint32_t Columns = 36;
+/// A closed ellipsoid, oriented outwards. @param finer so many times as many rows and columns
+inline TriangleMesh ellipsoid(const Vec3& centre, const Vec3& semiAxes, std::uint32_t finer = 1) {
+  const std::uint32_t rows = 24 * finer;
+  const std::uint32_t columns = 36 * finer;
   TriangleMesh mesh;
   const auto add = [&](double polar, double turn) {
     const Vec3 unit(std::sin(polar) * std::cos(turn), std::sin(polar) * std::sin(turn),
@@ -23,23 +23,23 @@ inline TriangleMesh ellipsoid(const Vec3& centre, const Vec3& semiAxes) {
     mesh.points.push_back(centre + semiAxes.cwiseProduct(unit));
   };
   add(0.0, 0.0);
-  for (std::uint32_t row = 1; row < Rows; ++row) {
-    for (std::uint32_t column = 0; column < Columns; ++column) {
-      add(std::numbers::pi * row / Rows, 2.0 * std::numbers::pi * column / Columns);
+  for (std::uint32_t row = 1; row < rows; ++row) {
+    for (std::uint32_t column = 0; column < columns; ++column) {
+      add(std::numbers::pi * row / rows, 2.0 * std::numbers::pi * column / columns);
     }
   }
   add(std::numbers::pi, 0.0);
-  const auto at = [](std::uint32_t row, std::uint32_t column) {
-    return 1 + (row - 1) * Columns + column % Columns;
+  const auto at = [columns](std::uint32_t row, std::uint32_t column) {
+    return 1 + (row - 1) * columns + column % columns;
   };
   const auto last = static_cast<std::uint32_t>(mesh.points.size() - 1);
-  for (std::uint32_t column = 0; column < Columns; ++column) {
+  for (std::uint32_t column = 0; column < columns; ++column) {
     mesh.triangles.push_back({0, at(1, column), at(1, column + 1)});
-    for (std::uint32_t row = 1; row + 1 < Rows; ++row) {
+    for (std::uint32_t row = 1; row + 1 < rows; ++row) {
       mesh.triangles.push_back({at(row, column), at(row + 1, column), at(row + 1, column + 1)});
       mesh.triangles.push_back({at(row, column), at(row + 1, column + 1), at(row, column + 1)});
     }
-    mesh.triangles.push_back({at(Rows - 1, column), last, at(Rows - 1, column + 1)});
+    mesh.triangles.push_back({at(rows - 1, column), last, at(rows - 1, column + 1)});
   }
   return mesh;
 }
