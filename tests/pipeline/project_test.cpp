@@ -87,7 +87,7 @@ Project everything() {
   fit->cycle.samples = {{0.1, 0.2, 0.3, 0.4}};
   state.breath->fit = fit;
   auto person = std::make_shared<PersonMotion>();
-  person->name = "'/home/doe/person.json'";
+  person->name = "'/people/doe/person.json'";
   person->kind = FormKind::Quiet;
   std::vector<double> constants(constantCount(FormKind::Quiet), 0.1);
   constants[3] = -0.25;

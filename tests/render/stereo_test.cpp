@@ -55,8 +55,8 @@ Picture eyes(Stereo stereo, double mm = 10.0) {
   options.annotations = false;
   options.lobeOpacity = 1.0;
   scene.setOptions(options);
-  scene.setSurfaces({{Lobe::RightUpper, cube({0.0, -50.0, 40.0})},
-                     {Lobe::LeftUpper, cube({0.0, 50.0, -40.0})}});
+  scene.setSurfaces(
+      {{Lobe::RightUpper, cube({0.0, -50.0, 40.0})}, {Lobe::LeftUpper, cube({0.0, 50.0, -40.0})}});
   scene.look({});
   const int width = stereo == Stereo::Anaglyph ? Width : 2 * Width;
   return renderStereo(scene, width, Height, {stereo, mm});
