@@ -227,9 +227,9 @@ TEST_F(CtWindowTest, ScrollsFastEnough) {
     views().step(SlicePlane::Axial, i % 2 == 0 ? 1 : -1);
     QApplication::processEvents();
   }
-  // Three linked views: 15 steps a second where nothing else runs, half of that anywhere.
+  // Three linked views, at least 15 steps a second.
   const auto elapsedMs = static_cast<double>(clock.elapsed());  // before the load is measured
-  EXPECT_LT(elapsedMs, 1500.0 * testing::machineLoad());
+  EXPECT_LT(elapsedMs, 670.0 * testing::machineLoad());
 }
 
 }  // namespace
