@@ -135,7 +135,8 @@ void drawMoments(const RenderArguments& arguments, const std::vector<SeriesMomen
 ExitCode writeFilm(const RenderArguments& arguments, const CommonOptions& common,
                    const Progress& progress) {
   const Series series = readSeries(arguments.inputs.front());
-  Movie movie(arguments.rate == 0 ? series.rate() : arguments.rate);
+  const int rate = arguments.rate == 0 ? series.rate() : arguments.rate;
+  Movie movie(rate);
   std::vector<Picture> pictures;
   drawMoments(
       arguments, series.moments, [&](Picture picture) { pictures.push_back(std::move(picture)); },
@@ -150,7 +151,7 @@ ExitCode writeFilm(const RenderArguments& arguments, const CommonOptions& common
   if (!common.quiet) {
     std::cout << common.output.string() << ": "
               << pictures.size() * static_cast<std::size_t>(arguments.repeat) << " pictures, "
-              << (arguments.rate == 0 ? series.rate() : arguments.rate) << " a second\n";
+              << rate << " a second\n";
   }
   return ExitCode::Done;
 }

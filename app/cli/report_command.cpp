@@ -19,10 +19,10 @@ struct ReportArguments {
   CaseReportOptions options;
 };
 
-bool isProject(const std::filesystem::path& path) { return path.extension() == ".pneuma"; }
-
 Project opened(const std::vector<std::filesystem::path>& inputs, const Progress& progress) {
-  if (inputs.size() == 1 && isProject(inputs.front())) return readProject(inputs.front(), progress);
+  if (inputs.size() == 1 && isProjectFileName(inputs.front())) {
+    return readProject(inputs.front(), progress);
+  }
   Project project;
   project.state.name = inputs.front().filename().string();
   project.state.model = openFiles(inputs, progress);

@@ -34,7 +34,7 @@ class SpreadPoints {
         cells_((bounds(surface).sizes() / distance).array().floor().cast<int>() + 1),
         first_(static_cast<std::size_t>(cells_.x()) * cells_.y() * cells_.z(), None) {
     for (std::uint32_t n = 0; n < points_.size(); ++n) {
-      if (crowded(n)) continue;
+      if (nearest(n) != None) continue;
       std::uint32_t& cell = first_[cellAt(placeOf(points_[n]))];
       next_.push_back(cell);
       cell = static_cast<std::uint32_t>(chosen.size());
@@ -68,32 +68,6 @@ class SpreadPoints {
   std::vector<std::uint32_t> chosen;
 
  private:
-  /// True if nearest() finds one; where there are many, most points know after a look or two.
-  bool crowded(std::uint32_t n) const {
-    const Eigen::Array3i middle = placeOf(points_[n]);
-    const double limit = distance_ * distance_;
-    const auto near = [&](const Eigen::Array3i& place) {
-      for (std::uint32_t at = first_[cellAt(place)]; at != None; at = next_[at]) {
-        if ((points_[chosen[at]] - points_[n]).squaredNorm() < limit &&
-            normals_[chosen[at]].dot(normals_[n]) >= 0.0) {
-          return true;
-        }
-      }
-      return false;
-    };
-    if (near(middle)) return true;
-    const Eigen::Array3i from = (middle - 1).max(0);
-    const Eigen::Array3i to = (middle + 1).min(cells_ - 1);
-    for (int z = from.z(); z <= to.z(); ++z) {
-      for (int y = from.y(); y <= to.y(); ++y) {
-        for (int x = from.x(); x <= to.x(); ++x) {
-          if (near({x, y, z})) return true;
-        }
-      }
-    }
-    return false;
-  }
-
   Eigen::Array3i placeOf(const Vec3& p) const {
     const Eigen::Array3i place = ((p - low_) / distance_).array().floor().cast<int>();
     return place.max(0).min(cells_ - 1);

@@ -15,29 +15,10 @@
 #include "io/detail/vtk_errors.h"
 #include "io/detail/vtk_xml.h"
 #include "io/json.h"
+#include "io/markup_text.h"
 
 namespace pneuma {
 namespace {
-
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      default:
-        result += c;
-    }
-  }
-  return result;
-}
 
 constexpr std::size_t LargestCollection = std::size_t{64} << 20;
 
@@ -96,8 +77,9 @@ void writeMultiblock(const std::filesystem::path& path, const std::vector<Block>
       "<VTKFile type=\"vtkMultiBlockDataSet\" version=\"1.0\" byte_order=\"LittleEndian\">\n"
       "  <vtkMultiBlockDataSet>\n";
   for (std::size_t i = 0; i < blocks.size(); ++i) {
-    text += "    <DataSet index=\"" + std::to_string(i) + "\" name=\"" + escaped(blocks[i].name) +
-            "\" file=\"" + escaped(blocks[i].file.generic_string()) + "\"/>\n";
+    text += "    <DataSet index=\"" + std::to_string(i) + "\" name=\"" +
+            markupEscaped(blocks[i].name) + "\" file=\"" +
+            markupEscaped(blocks[i].file.generic_string()) + "\"/>\n";
   }
   text += "  </vtkMultiBlockDataSet>\n</VTKFile>\n";
   writeFile(path, text);
@@ -112,7 +94,7 @@ void writeTimeCollection(const std::filesystem::path& path, const std::vector<Ti
     text += "    <DataSet timestep=\"";
     appendNumber(text, file.seconds);
     text += "\" group=\"\" part=\"" + std::to_string(file.part) + "\" file=\"" +
-            escaped(file.file.generic_string()) + "\"/>\n";
+            markupEscaped(file.file.generic_string()) + "\"/>\n";
   }
   text += "  </Collection>\n</VTKFile>\n";
   writeFile(path, text);

@@ -2,6 +2,7 @@
 
 #include <vtkBase64Utilities.h>
 
+#include "io/markup_text.h"
 #include "pipeline/detail/case_text.h"
 
 namespace pneuma {
@@ -32,29 +33,6 @@ constexpr const char* Style = R"(
                              .pictures { grid-template-columns: 1fr 1fr; } }
 )";
 
-std::string safe(std::string_view text) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      default:
-        result += c;
-    }
-  }
-  return result;
-}
-
 std::string element(const char* name, const std::string& content, const char* kind = "") {
   std::string text = "<";
   text += name;
@@ -62,10 +40,10 @@ std::string element(const char* name, const std::string& content, const char* ki
   return text.append(">").append(content).append("</").append(name).append(">");
 }
 
-std::string heading(std::string_view text) { return element("h2", safe(text)) + "\n"; }
+std::string heading(std::string_view text) { return element("h2", markupEscaped(text)) + "\n"; }
 
 std::string cell(std::string_view text, const char* kind = "") {
-  return element("td", safe(text), kind);
+  return element("td", markupEscaped(text), kind);
 }
 
 /// @param head of the columns; those that begin with '#' hold numbers
@@ -73,7 +51,7 @@ std::string table(const std::vector<std::string>& head, const std::string& rows)
   std::string first;
   for (const std::string& title : head) {
     const bool numbers = title.starts_with('#');
-    first += element("th", safe(numbers ? title.substr(1) : title), numbers ? "n" : "");
+    first += element("th", markupEscaped(numbers ? title.substr(1) : title), numbers ? "n" : "");
   }
   return "<table>\n" + element("tr", first) + "\n" + rows + "</table>\n";
 }
@@ -87,8 +65,9 @@ std::string picturesOf(const std::vector<PagePicture>& pictures) {
     base64.resize(
         vtkBase64Utilities::Encode(reinterpret_cast<const unsigned char*>(picture.png.data()),
                                    length, reinterpret_cast<unsigned char*>(base64.data())));
-    text += "<figure><img alt=\"" + safe(picture.caption) + "\" src=\"data:image/png;base64," +
-            base64 + "\">" + element("figcaption", safe(picture.caption)) + "</figure>\n";
+    text += "<figure><img alt=\"" + markupEscaped(picture.caption) +
+            "\" src=\"data:image/png;base64," + base64 + "\">" +
+            element("figcaption", markupEscaped(picture.caption)) + "</figure>\n";
   }
   return text + "</div>\n";
 }
@@ -163,20 +142,20 @@ std::string breathOf(const Json& report) {
   return heading("Breathing: " + breath.at("scenario").get<std::string>()) +
          element("p", caseNumber(breath.at("tidal_ml"), 0) + " ml in " +
                           caseNumber(breath.at("period_s"), 1) + " s. " +
-                          safe(breath.at("basis").get<std::string>())) +
+                          markupEscaped(breath.at("basis").get<std::string>())) +
          "\n" + table({"Lung", "#at rest, ml", "#least, ml", "#most, ml"}, rows);
 }
 
 std::string sentences(const Json& list) {
   std::string items;
   for (const Json& sentence : list)
-    items += element("li", safe(sentence.get<std::string>())) + "\n";
+    items += element("li", markupEscaped(sentence.get<std::string>())) + "\n";
   return items;
 }
 
 std::string methodsOf(const Json& report) {
-  std::string text =
-      heading("Methods") + element("p", safe(report.at("methods").get<std::string>())) + "\n";
+  std::string text = heading("Methods") +
+                     element("p", markupEscaped(report.at("methods").get<std::string>())) + "\n";
   if (const Json& references = report.at("references"); !references.empty()) {
     text += element("ol", sentences(references), "soft") + "\n";
   }
@@ -187,14 +166,15 @@ std::string originOf(const Json& report) {
   std::string rows;
   for (const Json& input : report.at("inputs")) {
     const std::string hash = input.at("sha256").get<std::string>();
-    rows +=
-        element("tr", element("td", element("code", safe(hash))) + cell(input.value("path", ""))) +
-        "\n";
+    rows += element("tr", element("td", element("code", markupEscaped(hash))) +
+                              cell(input.value("path", ""))) +
+            "\n";
   }
   std::string text;
   if (!rows.empty()) text += heading("Made from") + table({"SHA-256", "File"}, rows);
   if (const Json& parameters = report.at("parameters"); !parameters.empty()) {
-    text += heading("Options") + element("p", element("code", safe(parameters.dump()))) + "\n";
+    text +=
+        heading("Options") + element("p", element("code", markupEscaped(parameters.dump()))) + "\n";
   }
   return text;
 }
@@ -208,9 +188,9 @@ std::string casePage(const Json& report, const std::vector<PagePicture>& picture
   const std::string name =
       report.at("case").is_string() ? report.at("case").get<std::string>() : "Lung report";
   std::string text = "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n" +
-                     element("title", safe(name)) + "\n" + element("style", Style) +
-                     "</head><body>\n<header>" + element("h1", safe(name)) +
-                     element("p", "Pneuma " + safe(version) +
+                     element("title", markupEscaped(name)) + "\n" + element("style", Style) +
+                     "</head><body>\n<header>" + element("h1", markupEscaped(name)) +
+                     element("p", "Pneuma " + markupEscaped(version) +
                                       " &middot; research use only, not a medical device") +
                      "</header>\n";
   text += picturesOf(pictures);
