@@ -30,10 +30,6 @@ std::string lowerExtension(const fs::path& path) {
 
 }  // namespace
 
-InputFile inputFile(const fs::path& path, const Progress& progress) {
-  return {path.string(), sha256OfFile(path, progress)};
-}
-
 std::vector<fs::path> modelsIn(const fs::path& folder) {
   std::vector<fs::path> inside = filesIn(folder);
   std::erase_if(inside,

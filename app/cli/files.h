@@ -10,9 +10,6 @@
 
 namespace pneuma::cli {
 
-/// The file's path and hash, for a report. @throws InputMissing, Cancelled
-InputFile inputFile(const std::filesystem::path& path, const Progress& progress = {});
-
 /// The surfaces and trees in a folder, in the order of names. @throws InputMissing if it cannot be
 /// read
 std::vector<std::filesystem::path> modelsIn(const std::filesystem::path& folder);

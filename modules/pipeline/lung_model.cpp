@@ -24,8 +24,6 @@ namespace fs = std::filesystem;
 
 std::string quoted(const fs::path& path) { return "'" + path.string() + "'"; }
 
-InputFile inputFile(const fs::path& path) { return {path.string(), sha256OfFile(path)}; }
-
 bool isFolder(const fs::path& path) {
   std::error_code error;
   return fs::is_directory(path, error);
@@ -153,6 +151,10 @@ void addLabels(LungModel& model, const fs::path& path, const Progress& progress)
 }
 
 }  // namespace
+
+InputFile inputFile(const fs::path& path, const Progress& progress) {
+  return {path.string(), sha256OfFile(path, progress)};
+}
 
 void requireSamePlace(const LungModel& model) {
   if (!model.ct || !model.labels ||

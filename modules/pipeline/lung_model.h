@@ -27,6 +27,9 @@ struct InputFile {
   std::string sha256;
 };
 
+/// The file's path and hash. @throws InputMissing, Cancelled
+InputFile inputFile(const std::filesystem::path& path, const Progress& progress = {});
+
 /// Where a CT came from, so that it can be read again.
 struct CtSource {
   std::filesystem::path path;

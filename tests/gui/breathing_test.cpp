@@ -4,11 +4,15 @@
 
 #include <gtest/gtest.h>
 
+#include "breathing/motion_form.h"
 #include "document/breath_player.h"
 #include "document/document.h"
 #include "document/region_editor.h"
 #include "geometry/test_surfaces.h"
+#include "io/atomic_file.h"
 #include "io/surface_file.h"
+#include "pipeline/breath_curve.h"
+#include "pipeline/person_motion.h"
 
 namespace pneuma {
 namespace {
@@ -150,6 +154,62 @@ TEST_F(BreathingTest, BallsArePlacedChangedRemovedAndTakenBack) {
   editor.choose(0);
   editor.removeChosen();
   EXPECT_TRUE(editor.regions().empty());
+}
+
+TEST_F(BreathingTest, AMeasuredBreathIsFittedAndGivenUpAgain) {
+  breathe();
+  const fs::path table = fs::path(folder.path().toStdString()) / "measured.csv";
+  BreatheOptions small;
+  small.tidalMl = 300.0;
+  const BreathCycle& quiet = document.snapshot().breath->lungs.cycle;
+  writeFile(table, breathCurveCsv(quiet));
+  document.setBreatheOptions(small);
+  document.openMeasuredBreath(table);
+  ASSERT_TRUE(idle());
+  ASSERT_EQ(failed.count(), 0) << failed.at(0).at(1).toString().toStdString();
+  ASSERT_NE(document.breatheOptions().fit, nullptr);
+  EXPECT_NEAR(document.breatheOptions().fit->tidal, quiet.tidal, 1e-3 * quiet.tidal);
+  EXPECT_EQ(document.breatheOptions().tidalMl, 0.0) << "the measured breath has its own";
+  breathe();
+  const Json& report = document.snapshot().breath->report;
+  EXPECT_TRUE(report.contains("fit"));
+  EXPECT_EQ(report.at("inputs").back().at("path"), table.string());
+  document.forgetMeasuredBreath();
+  EXPECT_EQ(document.breatheOptions().fit, nullptr);
+  EXPECT_TRUE(document.breathOutOfDate());
+  writeFile(table, "seconds,pressure_cmH2O,volume_ml\n0,1,2\n", Existing::Replace);
+  document.openMeasuredBreath(table);
+  ASSERT_TRUE(idle());
+  EXPECT_EQ(failed.count(), 1);
+  EXPECT_EQ(document.breatheOptions().fit, nullptr);
+}
+
+TEST_F(BreathingTest, MovesByThePersonsOwnConstants) {
+  breathe();
+  const Json before = document.snapshot().breath->report;
+  Json person = {{"schema", "pneuma/estimate/1"},
+                 {"form", "deep"},
+                 {"landmarks", {{"fitted", 40}, {"held_out", 0}}},
+                 {"constants", Json::array()},
+                 {"errors", Json::array()},
+                 {"lungs", Json::array()}};
+  for (const double value : constantsOf(evenForm(), FormKind::Deep)) {
+    person["constants"].push_back({{"value", value}});
+  }
+  const fs::path file = fs::path(folder.path().toStdString()) / "person.json";
+  writeFile(file, person.dump());
+  document.openConstants(file);
+  ASSERT_TRUE(idle());
+  ASSERT_EQ(failed.count(), 0) << failed.at(0).at(1).toString().toStdString();
+  ASSERT_NE(document.breatheOptions().person, nullptr);
+  EXPECT_EQ(document.breatheOptions().person->name, "'person.json'") << "no folder is shown";
+  EXPECT_TRUE(document.breathOutOfDate());
+  breathe();
+  const Json& report = document.snapshot().breath->report;
+  EXPECT_NE(report.at("basis"), before.at("basis"));
+  EXPECT_EQ(report.at("inputs").back().at("path"), file.string());
+  document.forgetConstants();
+  EXPECT_EQ(document.breatheOptions().person, nullptr);
 }
 
 TEST_F(BreathingTest, ScenesHaveAMotionForEverySurface) {

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -79,6 +80,15 @@ class Document : public QObject {
   const BreatheOptions& breatheOptions() const { return breatheOptions_; }
 
   void setBreatheOptions(const BreatheOptions& options);
+
+  /// Moves the lungs by constants that `pneuma estimate` fitted to this person, read as a job, or
+  /// by the preset's again.
+  void openConstants(const std::filesystem::path& path);
+  void forgetConstants();
+
+  /// Breathes a measured breath, read and fitted as a job, or the scenario's again.
+  void openMeasuredBreath(const std::filesystem::path& path);
+  void forgetMeasuredBreath();
 
   /// Sets which parts of the lungs are stiffer or softer in the next breath. Can be undone. Not
   /// while a job runs.
@@ -265,6 +275,8 @@ class Document : public QObject {
   std::size_t method_ = 0;
   LungOptions lungOptions_;
   BreatheOptions breatheOptions_;
+  std::optional<InputFile> breathFile_;     ///< that breatheOptions_.fit is of
+  std::optional<InputFile> constantsFile_;  ///< that breatheOptions_.person is of
   LobeJob lobeJob_ = LobeJob::None;
   bool breathing_ = false;
   bool superseded_ = false;  ///< the job that is cancelled makes way for the next

@@ -11,6 +11,7 @@
 #include "widgets/actions.h"
 #include "widgets/heading.h"
 #include "widgets/options_form.h"
+#include "widgets/person_card.h"
 #include "widgets/regions_card.h"
 #include "widgets/scrolled.h"
 #include "widgets/sheet_card.h"
@@ -29,6 +30,10 @@ BreathingPanel::BreathingPanel(Document& document, RegionEditor& regions, const 
   column->addWidget(new OptionsForm(
       model_, {"scenario", "posture", "tidal", "period", "motion", "model", "affected", "frames"}));
   column->addWidget(actionButton(actions.breathe, "breathe", "primary"));
+  column->addSpacing(4);
+  column->addWidget(heading(tr("Of this person")));
+  person_ = new PersonCard(document_);
+  column->addWidget(person_);
   column->addSpacing(4);
   column->addWidget(heading(tr("Stiff and soft parts")));
   regions_ = new RegionsCard(regions);
@@ -60,6 +65,8 @@ BreathingPanel::BreathingPanel(Document& document, RegionEditor& regions, const 
 void BreathingPanel::follow() {
   const BreatheOptions& options = document_.breatheOptions();
   if (!(model_.options<BreatheOptions>() == options)) model_.bind(options);
+  person_->follow();
+  person_->setEnabled(!document_.jobs().busy());
   regions_->setChangeable(document_.canBreathe() && !document_.jobs().busy());
   note_->setText(note());
   note_->setVisible(!note_->text().isEmpty());

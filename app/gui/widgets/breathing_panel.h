@@ -10,6 +10,7 @@ namespace pneuma {
 
 struct Actions;
 class Document;
+class PersonCard;
 class RegionEditor;
 class RegionsCard;
 class SheetCard;
@@ -28,6 +29,7 @@ class BreathingPanel : public QWidget {
 
   Document& document_;
   OptionsModel model_;
+  PersonCard* person_;
   RegionsCard* regions_;
   QLabel* note_;
   QLabel* heading_;
