@@ -39,7 +39,7 @@ ImageGeometry grid(const std::array<int, 3>& size, const Vec3& spacing) {
   return geometry;
 }
 
-ImageGeometry tilted(double deg) {
+ImageGeometry tiltedGrid(double deg) {
   ImageGeometry geometry = grid({12, 14, 9}, Vec3(2.0, 2.0, 5.0));
   geometry.direction.col(2) = Vec3(0.0, std::sin(radians(deg)), std::cos(radians(deg)));
   return geometry;
@@ -73,7 +73,7 @@ TEST(FilledSlices, CannotReachBeyondTheStack) {
 
 TEST(Untilting, KeepsEveryPointWhereItWas) {
   for (const double deg : {12.0, -7.5, 1.0}) {
-    const CtImage image = filled(tilted(deg), ramp);
+    const CtImage image = filled(tiltedGrid(deg), ramp);
     ASSERT_NEAR(tiltDeg(image.geometry), std::abs(deg), 1e-9);
     const CtImage straight = untilted(image);
     EXPECT_NEAR(tiltDeg(straight.geometry), 0.0, 1e-9);
@@ -97,7 +97,7 @@ TEST(Untilting, KeepsEveryPointWhereItWas) {
 }
 
 TEST(Untilting, LosesNoVoxelAndMarksTheCornersAsPadding) {
-  const CtImage image = filled(tilted(12.0), [](const Vec3&) { return 40.0; });
+  const CtImage image = filled(tiltedGrid(12.0), [](const Vec3&) { return 40.0; });
   const CtImage straight = untilted(image);
   const auto there = std::ranges::count(straight.voxels, 40);
   const auto padding = std::ranges::count(straight.voxels, PaddingHu);
@@ -174,7 +174,7 @@ TEST(Resampling, IsTheImageItselfAtItsOwnSpacing) {
 }
 
 TEST(Corrections, StopOnRequest) {
-  const CtImage image = filled(tilted(12.0), ramp);
+  const CtImage image = filled(tiltedGrid(12.0), ramp);
   ProgressRecorder stop(0.0);
   EXPECT_THROW(untilted(image, Progress(stop)), Cancelled);
   EXPECT_THROW(resampled(image, 1.0, {}, Progress(stop)), Cancelled);

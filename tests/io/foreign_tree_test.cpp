@@ -41,14 +41,15 @@ std::string vtp(const std::string& points, int pointCount, const std::string& ra
 
 const std::string YPoints = "0 0 30  0 0 20  0 0 10  8 0 0  -8 0 0";
 
-TreeFile read(const std::string& name, const std::string& content) {
+TreeFile treeIn(const std::string& name, const std::string& content) {
   const TempFolder folder;
   return readTree(folder.put(name, content));
 }
 
-void expectRefused(const std::string& name, const std::string& content, const std::string& reason) {
+void expectTreeRefused(const std::string& name, const std::string& content,
+                       const std::string& reason) {
   try {
-    read(name, content);
+    treeIn(name, content);
     ADD_FAILURE() << "accepted, though: " << reason;
   } catch (const InvalidInput& error) {
     EXPECT_THAT(error.what(), HasSubstr(reason));
@@ -59,7 +60,7 @@ void expectRefused(const std::string& name, const std::string& content, const st
 TEST(ReadForeignVtp, MakesBranchesBetweenBifurcations) {
   for (const char* name : {"radius", "Radius", "MaximumInscribedSphereRadius"}) {
     const TreeFile file =
-        read("y.vtp", vtp(YPoints, 5, "4 3 2 1 1", {{0, 1, 2}, {2, 3}, {2, 4}}, name));
+        treeIn("y.vtp", vtp(YPoints, 5, "4 3 2 1 1", {{0, 1, 2}, {2, 3}, {2, 4}}, name));
     ASSERT_EQ(file.tree.size(), 3U);
     EXPECT_EQ(file.tree[0].proximal, Vec3(0, 0, 30));
     EXPECT_EQ(file.tree[0].distal, Vec3(0, 0, 10));
@@ -77,26 +78,26 @@ TEST(ReadForeignVtp, MakesBranchesBetweenBifurcations) {
 
 TEST(ReadForeignVtp, BeginsAtTheWidestEndWhateverTheDirectionOfTheLines) {
   const TreeFile file =
-      read("y.vtp", vtp(YPoints, 5, "4 3 2 1 1", {{3, 2}, {4, 2}, {1, 2}, {1, 0}}));
+      treeIn("y.vtp", vtp(YPoints, 5, "4 3 2 1 1", {{3, 2}, {4, 2}, {1, 2}, {1, 0}}));
   ASSERT_EQ(file.tree.size(), 3U);
   EXPECT_EQ(file.tree[0].proximal, Vec3(0, 0, 30));
 }
 
 TEST(ReadForeignVtp, BeginsAtTheHighestOfEquallyWideEnds) {
   const TreeFile file =
-      read("y.vtp", vtp(YPoints, 5, "1 1 1 1 1", {{3, 2}, {4, 2}, {1, 2}, {1, 0}}));
+      treeIn("y.vtp", vtp(YPoints, 5, "1 1 1 1 1", {{3, 2}, {4, 2}, {1, 2}, {1, 0}}));
   EXPECT_EQ(file.tree[0].proximal, Vec3(0, 0, 30));
 }
 
 TEST(ReadForeignVtp, BeginsWhereAllLinesLeadAwayFrom) {
-  const TreeFile file = read("y.vtp", vtp(YPoints, 5, "1 1 1 1 9", {{0, 1, 2}, {2, 3}, {2, 4}}));
+  const TreeFile file = treeIn("y.vtp", vtp(YPoints, 5, "1 1 1 1 9", {{0, 1, 2}, {2, 3}, {2, 4}}));
   EXPECT_EQ(file.tree[0].proximal, Vec3(0, 0, 30));
 }
 
 TEST(ReadForeignVtp, JoinsPointsAtTheSamePlaceAndLinesThatRepeat) {
   // Two lines from the root to the ends, each with its own points: as centreline extractors write.
   const std::string points = "0 0 30  0 0 10  8 0 0   0 0 30  0 0 10  -8 0 -0.0";
-  const TreeFile file = read("y.vtp", vtp(points, 6, "4 2 1 4 2 1", {{0, 1, 2}, {3, 4, 5}}));
+  const TreeFile file = treeIn("y.vtp", vtp(points, 6, "4 2 1 4 2 1", {{0, 1, 2}, {3, 4, 5}}));
   EXPECT_EQ(file.tree.size(), 3U);
 }
 
@@ -105,7 +106,7 @@ TEST(ReadForeignVtp, TurnsRasIntoLps) {
       "<FieldData><Array type=\"String\" Name=\"SPACE\" NumberOfTuples=\"1\" format=\"ascii\">"
       "82 65 83 0</Array></FieldData>";
   const TreeFile file =
-      read("y.vtp", vtp(YPoints, 5, "4 3 2 1 1", {{0, 1, 2}, {2, 3}, {2, 4}}, "radius", field));
+      treeIn("y.vtp", vtp(YPoints, 5, "4 3 2 1 1", {{0, 1, 2}, {2, 3}, {2, 4}}, "radius", field));
   EXPECT_EQ(file.tree[1].distal, Vec3(-8, 0, 0));
   EXPECT_THAT(file.notes, ::testing::ElementsAre(HasSubstr("RAS")));
 }
@@ -113,18 +114,18 @@ TEST(ReadForeignVtp, TurnsRasIntoLps) {
 TEST(ReadForeignVtp, NamesWhatIsWrong) {
   const std::vector<std::vector<int>> y = {{0, 1, 2}, {2, 3}, {2, 4}};
   const std::string radii = "4 3 2 1 1";
-  expectRefused("a.vtp", vtp(YPoints, 5, radii, {{0, 1, 2}, {2, 3}, {3, 4}, {4, 2}}), "cycle");
-  expectRefused("a.vtp", vtp(YPoints, 5, radii, {{0, 1, 2, 0}}), "cycle");
-  expectRefused("a.vtp", vtp(YPoints, 5, radii, {{0, 1, 2}, {3, 4}}), "several pieces");
-  expectRefused("a.vtp", vtp(YPoints, 5, radii, y, "width"), "no point array \"radius\"");
-  expectRefused("a.vtp", vtp(YPoints, 5, "4 3 0 1 1", y), "radius of 0 mm");
-  expectRefused("a.vtp", vtp(YPoints, 5, "4 3 -2 1 1", y), "radius of -2 mm");
-  expectRefused("a.vtp", vtp(YPoints, 5, "4 3 nan 1 1", y), "a.vtp");
-  expectRefused("a.vtp", vtp("0 0 30 0 0 nan 0 0 10 8 0 0 -8 0 0", 5, radii, y), "a.vtp");
-  expectRefused("a.vtp", vtp(YPoints, 5, radii, {{0, 1, 2}, {2, 3}, {2, 5}}), "point 5 of 5");
-  expectRefused("a.vtp", vtp(YPoints, 5, radii, {{0, 1, 2}, {2, -3}}), "point -3 of 5");
-  expectRefused("a.vtp", vtp(YPoints, 5, radii, {}), "no line");
-  expectRefused("a.vtp", vtp(YPoints, 2000000, radii, y), "too short");
+  expectTreeRefused("a.vtp", vtp(YPoints, 5, radii, {{0, 1, 2}, {2, 3}, {3, 4}, {4, 2}}), "cycle");
+  expectTreeRefused("a.vtp", vtp(YPoints, 5, radii, {{0, 1, 2, 0}}), "cycle");
+  expectTreeRefused("a.vtp", vtp(YPoints, 5, radii, {{0, 1, 2}, {3, 4}}), "several pieces");
+  expectTreeRefused("a.vtp", vtp(YPoints, 5, radii, y, "width"), "no point array \"radius\"");
+  expectTreeRefused("a.vtp", vtp(YPoints, 5, "4 3 0 1 1", y), "radius of 0 mm");
+  expectTreeRefused("a.vtp", vtp(YPoints, 5, "4 3 -2 1 1", y), "radius of -2 mm");
+  expectTreeRefused("a.vtp", vtp(YPoints, 5, "4 3 nan 1 1", y), "a.vtp");
+  expectTreeRefused("a.vtp", vtp("0 0 30 0 0 nan 0 0 10 8 0 0 -8 0 0", 5, radii, y), "a.vtp");
+  expectTreeRefused("a.vtp", vtp(YPoints, 5, radii, {{0, 1, 2}, {2, 3}, {2, 5}}), "point 5 of 5");
+  expectTreeRefused("a.vtp", vtp(YPoints, 5, radii, {{0, 1, 2}, {2, -3}}), "point -3 of 5");
+  expectTreeRefused("a.vtp", vtp(YPoints, 5, radii, {}), "no line");
+  expectTreeRefused("a.vtp", vtp(YPoints, 2000000, radii, y), "too short");
 }
 
 TEST(ReadRealCentrelines, FindsTheTreeOfTheSubject) {
@@ -152,7 +153,7 @@ constexpr const char* Swc =
     "5 1 -8 0 0 1 3\n";
 
 TEST(ReadForeignSwc, MakesBranchesBetweenBifurcations) {
-  const TreeFile file = read("y.swc", Swc);
+  const TreeFile file = treeIn("y.swc", Swc);
   ASSERT_EQ(file.tree.size(), 3U);
   EXPECT_EQ(file.tree[0].via.size(), 1U);
   EXPECT_DOUBLE_EQ(file.tree[0].radiusMm, 3.0);
@@ -161,38 +162,40 @@ TEST(ReadForeignSwc, MakesBranchesBetweenBifurcations) {
 }
 
 TEST(ReadForeignSwc, TakesChildrenBeforeTheirParents) {
-  const TreeFile file = read("y.swc",
-                             "5 1 -8 0 0 1 3\n4 1 8 0 0 1 3\n3 1 0 0 10 2 2\n2 1 0 0 20 3 1\n"
-                             "1 1 0 0 30 4 -1\n");
+  const TreeFile file = treeIn("y.swc",
+                               "5 1 -8 0 0 1 3\n4 1 8 0 0 1 3\n3 1 0 0 10 2 2\n2 1 0 0 20 3 1\n"
+                               "1 1 0 0 30 4 -1\n");
   ASSERT_EQ(file.tree.size(), 3U);
   EXPECT_EQ(file.tree[0].proximal, Vec3(0, 0, 30));
 }
 
 TEST(ReadForeignSwc, NamesWhatIsWrongAndWhere) {
-  expectRefused("a.swc", "1 5 0 0 1 9 -1\n2 5 0 0 0\n", "line 2 has 5 columns");
-  expectRefused("a.swc", "1 5 0 0 1 9 -1\n2 5 0 x 0 1 1\n", "line 2, column 4 (y): \"x\"");
-  expectRefused("a.swc", "1 5 0 0 1 9 -1\n2 5 0 nan 0 1 1\n", "line 2, column 4 (y)");
-  expectRefused("a.swc", "1 5 0 0 1 9 -1\n2 5 0 0 0 0 1\n", "line 2: the radius is 0");
-  expectRefused("a.swc", "1 5 0 0 1 9 -1\n2.5 5 0 0 0 1 1\n", "not a whole number");
-  expectRefused("a.swc", "1 5 0 0 1 9 -1\n2 5 0 0 0 1 7\n", "line 2: the parent 7");
-  expectRefused("a.swc", "1 5 0 0 1 9 -1\n2 5 0 0 0 1 2\n", "line 2: point 2 is its own parent");
-  expectRefused("a.swc", "1 5 0 0 1 9 -1\n1 5 0 0 0 1 1\n", "line 2: the id 1");
-  expectRefused("a.swc", "1 5 0 0 1 9 -1\n2 5 0 0 0 1 -1\n", "two roots");
-  expectRefused("a.swc", "1 5 0 0 1 9 2\n2 5 0 0 0 1 1\n", "cycle");
-  expectRefused("a.swc", "1 5 0 0 2 9 -1\n2 5 0 0 0 1 1\n3 5 0 0 5 1 4\n4 5 0 0 6 1 3\n", "cycle");
-  expectRefused("a.swc", "1 5 0 0 1 9 -1\n", "fewer than two");
-  expectRefused("a.swc", "1 5 0 0 2 9 -1\n2 5 0 0 0 1 1\n3 5 0 0 5 1 1\n",
-                "divides at its very first");
-  expectRefused("a.swc", "just words\n", "line 1 has 2 columns");
-  expectRefused("a.swc", "# only comments\n", "fewer than two");
+  expectTreeRefused("a.swc", "1 5 0 0 1 9 -1\n2 5 0 0 0\n", "line 2 has 5 columns");
+  expectTreeRefused("a.swc", "1 5 0 0 1 9 -1\n2 5 0 x 0 1 1\n", "line 2, column 4 (y): \"x\"");
+  expectTreeRefused("a.swc", "1 5 0 0 1 9 -1\n2 5 0 nan 0 1 1\n", "line 2, column 4 (y)");
+  expectTreeRefused("a.swc", "1 5 0 0 1 9 -1\n2 5 0 0 0 0 1\n", "line 2: the radius is 0");
+  expectTreeRefused("a.swc", "1 5 0 0 1 9 -1\n2.5 5 0 0 0 1 1\n", "not a whole number");
+  expectTreeRefused("a.swc", "1 5 0 0 1 9 -1\n2 5 0 0 0 1 7\n", "line 2: the parent 7");
+  expectTreeRefused("a.swc", "1 5 0 0 1 9 -1\n2 5 0 0 0 1 2\n",
+                    "line 2: point 2 is its own parent");
+  expectTreeRefused("a.swc", "1 5 0 0 1 9 -1\n1 5 0 0 0 1 1\n", "line 2: the id 1");
+  expectTreeRefused("a.swc", "1 5 0 0 1 9 -1\n2 5 0 0 0 1 -1\n", "two roots");
+  expectTreeRefused("a.swc", "1 5 0 0 1 9 2\n2 5 0 0 0 1 1\n", "cycle");
+  expectTreeRefused("a.swc", "1 5 0 0 2 9 -1\n2 5 0 0 0 1 1\n3 5 0 0 5 1 4\n4 5 0 0 6 1 3\n",
+                    "cycle");
+  expectTreeRefused("a.swc", "1 5 0 0 1 9 -1\n", "fewer than two");
+  expectTreeRefused("a.swc", "1 5 0 0 2 9 -1\n2 5 0 0 0 1 1\n3 5 0 0 5 1 1\n",
+                    "divides at its very first");
+  expectTreeRefused("a.swc", "just words\n", "line 1 has 2 columns");
+  expectTreeRefused("a.swc", "# only comments\n", "fewer than two");
 }
 
 const std::string CsvHead = "id,parent,x0,y0,z0,x1,y1,z1,diameter_mm\n";
 
 TEST(ReadForeignCsv, TakesAnyIdsDelimiterAndLineEnds) {
-  const TreeFile file = read("a.csv",
-                             "\xEF\xBB\xBFparent;\"id\";x0;y0;z0;x1;y1;z1;Diameter_mm;mood\r\n"
-                             "-1;70;0;0;0;1;0;-1;1.5;good\r\n70;5;1;0;-1;1;0;-2;1;bad");
+  const TreeFile file = treeIn("a.csv",
+                               "\xEF\xBB\xBFparent;\"id\";x0;y0;z0;x1;y1;z1;Diameter_mm;mood\r\n"
+                               "-1;70;0;0;0;1;0;-1;1.5;good\r\n70;5;1;0;-1;1;0;-2;1;bad");
   ASSERT_EQ(file.tree.size(), 2U);
   EXPECT_EQ(file.tree[1].parent, 0);
   EXPECT_EQ(file.tree[1].radiusMm, 0.5);
@@ -200,7 +203,7 @@ TEST(ReadForeignCsv, TakesAnyIdsDelimiterAndLineEnds) {
 }
 
 TEST(ReadForeignCsv, PutsChildrenAfterTheirParents) {
-  const TreeFile file = read(
+  const TreeFile file = treeIn(
       "a.csv", CsvHead + "5,70,0,0,0,1,0,-1,1.5\n70,-1,0,0,9,0,0,0,3\n6,70,0,0,0,2,0,-1,1.5\n");
   ASSERT_EQ(file.tree.size(), 3U);
   EXPECT_EQ(file.tree[0].radiusMm, 1.5);
@@ -212,20 +215,21 @@ TEST(ReadForeignCsv, PutsChildrenAfterTheirParents) {
 
 TEST(ReadForeignCsv, NamesWhatIsWrongAndWhere) {
   const std::string root = "0,-1,0,0,9,0,0,0,3\n";
-  expectRefused("a.csv", "id,parent,x0\n", "no column \"y0\"");
-  expectRefused("a.csv", "id,id,parent,x0\n", "two columns \"id\"");
-  expectRefused("a.csv", CsvHead, "no branch");
-  expectRefused("a.csv", CsvHead + root + "1,0,0,0,0,1,0\n", "line 3 has 7 columns");
-  expectRefused("a.csv", CsvHead + root + "1,0,0,0,zero,1,0,-1,1\n", "line 3, column z0: \"zero\"");
-  expectRefused("a.csv", CsvHead + root + "1,0,0,0,inf,1,0,-1,1\n", "line 3, column z0");
-  expectRefused("a.csv", CsvHead + root + "1.5,0,0,0,0,1,0,-1,1\n", "line 3, column id");
-  expectRefused("a.csv", CsvHead + root + "1,0,0,0,0,1,0,-1,0\n", "line 3, column diameter_mm");
-  expectRefused("a.csv", CsvHead + root + "1,1,0,0,0,1,0,-1,1\n", "own parent");
-  expectRefused("a.csv", CsvHead + root + "1,8,0,0,0,1,0,-1,1\n", "names branch 8");
-  expectRefused("a.csv", CsvHead + root + root, "id 0");
-  expectRefused("a.csv", CsvHead + root + "1,-1,0,0,0,1,0,-1,1\n", "two roots");
-  expectRefused("a.csv", CsvHead + root + "1,2,0,0,0,1,0,-1,1\n2,1,0,0,0,1,0,-1,1\n", "cycle");
-  expectRefused("a.csv", CsvHead + "1,2,0,0,0,1,0,-1,1\n2,1,0,0,0,1,0,-1,1\n", "cycle");
+  expectTreeRefused("a.csv", "id,parent,x0\n", "no column \"y0\"");
+  expectTreeRefused("a.csv", "id,id,parent,x0\n", "two columns \"id\"");
+  expectTreeRefused("a.csv", CsvHead, "no branch");
+  expectTreeRefused("a.csv", CsvHead + root + "1,0,0,0,0,1,0\n", "line 3 has 7 columns");
+  expectTreeRefused("a.csv", CsvHead + root + "1,0,0,0,zero,1,0,-1,1\n",
+                    "line 3, column z0: \"zero\"");
+  expectTreeRefused("a.csv", CsvHead + root + "1,0,0,0,inf,1,0,-1,1\n", "line 3, column z0");
+  expectTreeRefused("a.csv", CsvHead + root + "1.5,0,0,0,0,1,0,-1,1\n", "line 3, column id");
+  expectTreeRefused("a.csv", CsvHead + root + "1,0,0,0,0,1,0,-1,0\n", "line 3, column diameter_mm");
+  expectTreeRefused("a.csv", CsvHead + root + "1,1,0,0,0,1,0,-1,1\n", "own parent");
+  expectTreeRefused("a.csv", CsvHead + root + "1,8,0,0,0,1,0,-1,1\n", "names branch 8");
+  expectTreeRefused("a.csv", CsvHead + root + root, "id 0");
+  expectTreeRefused("a.csv", CsvHead + root + "1,-1,0,0,0,1,0,-1,1\n", "two roots");
+  expectTreeRefused("a.csv", CsvHead + root + "1,2,0,0,0,1,0,-1,1\n2,1,0,0,0,1,0,-1,1\n", "cycle");
+  expectTreeRefused("a.csv", CsvHead + "1,2,0,0,0,1,0,-1,1\n2,1,0,0,0,1,0,-1,1\n", "cycle");
 }
 
 TEST(ReadForeignJson, NamesWhatIsWrongAndWhere) {
@@ -234,30 +238,30 @@ TEST(ReadForeignJson, NamesWhatIsWrongAndWhere) {
   };
   const std::string root =
       "{\"id\":0,\"parent\":-1,\"proximal\":[0,0,1],\"distal\":[0,0,0],\"diameter_mm\":2}";
-  EXPECT_EQ(read("a.json", json("[" + root + "]")).tree.size(), 1U);
-  expectRefused("a.json", "{\"schema\":\"pneuma/growth/1\"}", "\"schema\" is not");
-  expectRefused("a.json", "{\"schema\":\"pneuma/tree/1\"}", "no list \"branches\"");
-  expectRefused("a.json", json("[]"), "no branch");
-  expectRefused("a.json", json("[1]"), "entry 0 of \"branches\" is not an object");
-  expectRefused("a.json", json("[[]]"), "entry 0 of \"branches\" is a list");
-  expectRefused("a.json", json("[{}]"), "has no \"id\"");
-  expectRefused("a.json", json("[" + root + "," + root + "]"), "id 0");
+  EXPECT_EQ(treeIn("a.json", json("[" + root + "]")).tree.size(), 1U);
+  expectTreeRefused("a.json", "{\"schema\":\"pneuma/growth/1\"}", "\"schema\" is not");
+  expectTreeRefused("a.json", "{\"schema\":\"pneuma/tree/1\"}", "no list \"branches\"");
+  expectTreeRefused("a.json", json("[]"), "no branch");
+  expectTreeRefused("a.json", json("[1]"), "entry 0 of \"branches\" is not an object");
+  expectTreeRefused("a.json", json("[[]]"), "entry 0 of \"branches\" is a list");
+  expectTreeRefused("a.json", json("[{}]"), "has no \"id\"");
+  expectTreeRefused("a.json", json("[" + root + "," + root + "]"), "id 0");
   const auto changed = [&](const std::string& from, const std::string& to) {
     std::string text = root;
     text.replace(text.find(from), from.size(), to);
     return json("[" + text + "]");
   };
-  expectRefused("a.json", changed("[0,0,1]", "[0,1]"), "\"proximal\"");
-  expectRefused("a.json", changed("[0,0,1]", "[0,\"a\",1]"), "\"proximal\"");
-  expectRefused("a.json", changed("[0,0,1]", "[[0,0,1]]"), "\"proximal\"");
-  expectRefused("a.json", changed("[0,0,1]", "5"), "\"proximal\"");
-  expectRefused("a.json", changed("\"id\":0", "\"id\":[0]"), "\"id\"");
-  expectRefused("a.json", changed("\"id\":0", "\"id\":0.5"), "\"id\"");
-  expectRefused("a.json", changed("\"id\":0", "\"id\":null"), "\"id\"");
-  expectRefused("a.json", changed("\"id\":0", "\"lobe\":7,\"id\":0"), "no lobe");
-  expectRefused("a.json", changed("\"id\":0", "\"via\":[[1,2,3]],\"id\":0"), "\"via\"");
-  expectRefused("a.json", changed(":2}", ":1e999}"), "a.json");
-  expectRefused("a.json", json("[" + root), "damaged or cut off");
+  expectTreeRefused("a.json", changed("[0,0,1]", "[0,1]"), "\"proximal\"");
+  expectTreeRefused("a.json", changed("[0,0,1]", "[0,\"a\",1]"), "\"proximal\"");
+  expectTreeRefused("a.json", changed("[0,0,1]", "[[0,0,1]]"), "\"proximal\"");
+  expectTreeRefused("a.json", changed("[0,0,1]", "5"), "\"proximal\"");
+  expectTreeRefused("a.json", changed("\"id\":0", "\"id\":[0]"), "\"id\"");
+  expectTreeRefused("a.json", changed("\"id\":0", "\"id\":0.5"), "\"id\"");
+  expectTreeRefused("a.json", changed("\"id\":0", "\"id\":null"), "\"id\"");
+  expectTreeRefused("a.json", changed("\"id\":0", "\"lobe\":7,\"id\":0"), "no lobe");
+  expectTreeRefused("a.json", changed("\"id\":0", "\"via\":[[1,2,3]],\"id\":0"), "\"via\"");
+  expectTreeRefused("a.json", changed(":2}", ":1e999}"), "a.json");
+  expectTreeRefused("a.json", json("[" + root), "damaged or cut off");
 }
 
 }  // namespace

@@ -22,14 +22,15 @@ using testing::sampleSurface;
 using testing::sampleTree;
 using testing::TempFolder;
 
-SurfaceFile read(const std::string& name, const std::string& content) {
+SurfaceFile readSurfaceFrom(const std::string& name, const std::string& content) {
   const TempFolder folder;
   return readSurface(folder.put(name, content));
 }
 
-void expectRefused(const std::string& name, const std::string& content, const std::string& reason) {
+void expectSurfaceRefused(const std::string& name, const std::string& content,
+                          const std::string& reason) {
   try {
-    read(name, content);
+    readSurfaceFrom(name, content);
     ADD_FAILURE() << name << " accepted, though: " << reason;
   } catch (const InvalidInput& error) {
     EXPECT_THAT(error.what(), HasSubstr(reason));
@@ -49,7 +50,7 @@ class SurfaceFormat : public ::testing::TestWithParam<const char*> {};
 TEST_P(SurfaceFormat, ReadsBackEqual) {
   const std::string extension = GetParam();
   const TriangleMesh mesh = sampleSurface();
-  const SurfaceFile file = read("s" + extension, bytesOf(mesh, extension));
+  const SurfaceFile file = readSurfaceFrom("s" + extension, bytesOf(mesh, extension));
   EXPECT_EQ(file.space, "LPS");
   EXPECT_THAT(file.notes, IsEmpty());
   ASSERT_EQ(file.mesh.triangles.size(), mesh.triangles.size());
@@ -68,7 +69,7 @@ TEST_P(SurfaceFormat, ReadsBackEqual) {
 TEST_P(SurfaceFormat, IsTurnedToLpsIfItSaysRas) {
   const std::string extension = GetParam();
   const std::string content = bytesOf(sampleSurface(), extension, {.space = "RAS"});
-  const SurfaceFile file = read("s" + extension, content);
+  const SurfaceFile file = readSurfaceFrom("s" + extension, content);
   EXPECT_EQ(file.space, "RAS");
   EXPECT_THAT(file.notes, ::testing::ElementsAre(HasSubstr("RAS")));
   EXPECT_NEAR(bounds(file.mesh).min().x(), -30.2, 1e-5);
@@ -95,7 +96,7 @@ constexpr const char* AsciiStl =
     "  vertex 0 1e1 0\n endloop\nendfacet\nendsolid t\n";
 
 TEST(ReadStl, TakesAscii) {
-  const SurfaceFile file = read("a.stl", AsciiStl);
+  const SurfaceFile file = readSurfaceFrom("a.stl", AsciiStl);
   EXPECT_EQ(file.format, "STL");
   ASSERT_EQ(file.mesh.points.size(), 3U);
   EXPECT_EQ(file.mesh.points[2], Vec3(0, 10, 0));
@@ -104,39 +105,41 @@ TEST(ReadStl, TakesAscii) {
 TEST(ReadStl, TakesBinaryWhoseHeadBeginsLikeAscii) {
   std::string content = bytesOf(sampleSurface(), ".stl");
   content.replace(0, 12, "solid facet ");
-  EXPECT_EQ(read("a.stl", content).mesh.triangles.size(), 4U);
+  EXPECT_EQ(readSurfaceFrom("a.stl", content).mesh.triangles.size(), 4U);
 }
 
 TEST(ReadStl, TakesBinaryOfASingleTriangle) {
   TriangleMesh mesh = sampleSurface();
   mesh.triangles.resize(1);
-  EXPECT_EQ(read("a.stl", bytesOf(mesh, ".stl")).mesh.triangles.size(), 1U);
+  EXPECT_EQ(readSurfaceFrom("a.stl", bytesOf(mesh, ".stl")).mesh.triangles.size(), 1U);
 }
 
 TEST(ReadStl, NamesWhatIsWrong) {
   const std::string ascii = AsciiStl;
-  expectRefused("a.stl", "", "empty");
-  expectRefused("a.stl", "solid", "only 5 bytes");
-  expectRefused("a.stl", ascii.substr(0, 80), "cut off");
-  expectRefused("a.stl", ascii.substr(0, ascii.find("endsolid")), "no \"endsolid\"");
-  expectRefused("a.stl", "solid t\nfacet\nvertex 0 zero 0\n",
-                "line 3: a vertex needs three numbers");
-  expectRefused("a.stl", "solid t\n facet\nendsolid t\n", "no triangle");
+  expectSurfaceRefused("a.stl", "", "empty");
+  expectSurfaceRefused("a.stl", "solid", "only 5 bytes");
+  expectSurfaceRefused("a.stl", ascii.substr(0, 80), "cut off");
+  expectSurfaceRefused("a.stl", ascii.substr(0, ascii.find("endsolid")), "no \"endsolid\"");
+  expectSurfaceRefused("a.stl", "solid t\nfacet\nvertex 0 zero 0\n",
+                       "line 3: a vertex needs three numbers");
+  expectSurfaceRefused("a.stl", "solid t\n facet\nendsolid t\n", "no triangle");
   std::string binary = bytesOf(sampleSurface(), ".stl");
-  expectRefused("a.stl", binary.substr(0, 200), "4 triangles, which take 284 bytes, but has 200");
-  expectRefused("a.stl", binary + "more", "284 bytes, but has 288");
+  expectSurfaceRefused("a.stl", binary.substr(0, 200),
+                       "4 triangles, which take 284 bytes, but has 200");
+  expectSurfaceRefused("a.stl", binary + "more", "284 bytes, but has 288");
   const float nan = std::nanf("");
   std::memcpy(binary.data() + 84 + 12, &nan, sizeof(nan));
-  expectRefused("a.stl", binary, "not a number");
+  expectSurfaceRefused("a.stl", binary, "not a number");
   std::string none = binary.substr(0, 84);
   none.replace(80, 4, std::string(4, '\0'));
-  expectRefused("a.stl", none, "no triangle");
+  expectSurfaceRefused("a.stl", none, "no triangle");
 }
 
 TEST(ReadObj, CutsPolygonsAndTakesAllKindsOfIndices) {
-  const SurfaceFile file = read("a.obj",
-                                "# by hand\nv 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nvn 0 0 1\n"
-                                "f 1//1 2//1 3//1 4//1\nv 5 5 5\nf 5//1 4//1 3//1\n");
+  const SurfaceFile file =
+      readSurfaceFrom("a.obj",
+                      "# by hand\nv 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nvn 0 0 1\n"
+                      "f 1//1 2//1 3//1 4//1\nv 5 5 5\nf 5//1 4//1 3//1\n");
   EXPECT_EQ(file.mesh.triangles.size(), 3U);
   EXPECT_EQ(file.mesh.points.size(), 5U);
   EXPECT_THAT(file.notes, ::testing::ElementsAre(HasSubstr("cut into 3 triangles")));
@@ -146,15 +149,15 @@ TEST(ReadObj, CutsPolygonsAndTakesAllKindsOfIndices) {
 
 TEST(ReadObj, NamesWhatIsWrong) {
   const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
-  expectRefused("a.obj", points + "f 1 2 4\n", "point 4 of 3");
-  expectRefused("a.obj", points + "f 0 1 2\n", "line 4 names a point that is none: \"0\"");
-  expectRefused("a.obj", points + "f -1 1 2\n", "line 4 counts points backwards");
-  expectRefused("a.obj", points + "f 1 2\n", "fewer than three");
-  expectRefused("a.obj", points + "f 1 2 x\n", "line 4 names a point");
-  expectRefused("a.obj", "v 0 nan 0\n", "line 1 has no three coordinates");
-  expectRefused("a.obj", "v 0 0\n", "line 1 has no three coordinates");
-  expectRefused("a.obj", points, "no triangle");
-  expectRefused("a.obj", points + "f " + std::string(5000, ' ') + "1 2 3\n", "longer than");
+  expectSurfaceRefused("a.obj", points + "f 1 2 4\n", "point 4 of 3");
+  expectSurfaceRefused("a.obj", points + "f 0 1 2\n", "line 4 names a point that is none: \"0\"");
+  expectSurfaceRefused("a.obj", points + "f -1 1 2\n", "line 4 counts points backwards");
+  expectSurfaceRefused("a.obj", points + "f 1 2\n", "fewer than three");
+  expectSurfaceRefused("a.obj", points + "f 1 2 x\n", "line 4 names a point");
+  expectSurfaceRefused("a.obj", "v 0 nan 0\n", "line 1 has no three coordinates");
+  expectSurfaceRefused("a.obj", "v 0 0\n", "line 1 has no three coordinates");
+  expectSurfaceRefused("a.obj", points, "no triangle");
+  expectSurfaceRefused("a.obj", points + "f " + std::string(5000, ' ') + "1 2 3\n", "longer than");
 }
 
 std::string ply(const std::string& vertices, const std::string& faces, int vertexCount = 3,
@@ -166,30 +169,31 @@ std::string ply(const std::string& vertices, const std::string& faces, int verte
 }
 
 TEST(ReadPly, TakesAscii) {
-  const SurfaceFile file = read("a.ply", ply("0 0 0\n1 0 0\n0 1 0\n", "3 0 1 2\n"));
+  const SurfaceFile file = readSurfaceFrom("a.ply", ply("0 0 0\n1 0 0\n0 1 0\n", "3 0 1 2\n"));
   EXPECT_EQ(file.mesh.triangles.size(), 1U);
   EXPECT_EQ(file.space, "LPS");
 }
 
 TEST(ReadPly, NamesWhatIsWrong) {
   const std::string points = "0 0 0\n1 0 0\n0 1 0\n";
-  expectRefused("a.ply", ply(points, "3 0 1 3\n"), "point 3 of 3");
-  expectRefused("a.ply", ply(points, "3 0 1 -1\n"), "point -1 of 3");
-  expectRefused("a.ply", ply(points, "3 0 1\n"), "incomplete");
-  expectRefused("a.ply", ply(points, "", 3, 1), "ends too early");
-  expectRefused("a.ply", ply(points, "", 3, 0), "no triangle");
-  expectRefused("a.ply", ply(points, "3 0 1 2\n", 2000000000), "cannot be");
-  expectRefused("a.ply", ply("0 0 0\nnan 0 0\n0 1 0\n", "3 0 1 2\n"), "not a number");
-  expectRefused("a.ply", ply(points, std::string(5000, ' ') + "3 0 1 2\n"), "4000 characters");
-  expectRefused("a.ply", "ply\nformat ascii 1.0\nend_header\n", "no element \"vertex\"");
+  expectSurfaceRefused("a.ply", ply(points, "3 0 1 3\n"), "point 3 of 3");
+  expectSurfaceRefused("a.ply", ply(points, "3 0 1 -1\n"), "point -1 of 3");
+  expectSurfaceRefused("a.ply", ply(points, "3 0 1\n"), "incomplete");
+  expectSurfaceRefused("a.ply", ply(points, "", 3, 1), "ends too early");
+  expectSurfaceRefused("a.ply", ply(points, "", 3, 0), "no triangle");
+  expectSurfaceRefused("a.ply", ply(points, "3 0 1 2\n", 2000000000), "cannot be");
+  expectSurfaceRefused("a.ply", ply("0 0 0\nnan 0 0\n0 1 0\n", "3 0 1 2\n"), "not a number");
+  expectSurfaceRefused("a.ply", ply(points, std::string(5000, ' ') + "3 0 1 2\n"),
+                       "4000 characters");
+  expectSurfaceRefused("a.ply", "ply\nformat ascii 1.0\nend_header\n", "no element \"vertex\"");
 }
 
 TEST(ReadSurface, RefusesWhatIsNoSurface) {
   const std::string tree = treeText(sampleTree(), "vtp");
-  expectRefused("tree.vtp", tree, "airway tree?");
-  expectRefused("a.vtp", "no xml\n", "VTP");
-  expectRefused("a.ply", std::string(100, '\1'), "PLY");
-  EXPECT_THROW(read("a.txt", "words\n"), Unsupported);
+  expectSurfaceRefused("tree.vtp", tree, "airway tree?");
+  expectSurfaceRefused("a.vtp", "no xml\n", "VTP");
+  expectSurfaceRefused("a.ply", std::string(100, '\1'), "PLY");
+  EXPECT_THROW(readSurfaceFrom("a.txt", "words\n"), Unsupported);
   EXPECT_THROW(readSurface("none.stl"), InputMissing);
   EXPECT_THROW(readSurface("/"), InputMissing);
 }

@@ -15,6 +15,7 @@
 #include "support/progress_recorder.h"
 #include "support/sample_trees.h"
 #include "support/simple_domains.h"
+#include "support/text_lines.h"
 
 namespace pneuma {
 namespace {
@@ -68,14 +69,6 @@ LungModel balls() {
   return organ;
 }
 
-std::string lineWith(const std::string& text, const std::string& start) {
-  std::istringstream lines(text);
-  for (std::string line; std::getline(lines, line);) {
-    if (line.starts_with(start)) return line;
-  }
-  return "";
-}
-
 /// The cells of a line of the text: two blanks or more stand between them.
 std::vector<std::string> cells(const std::string& line) {
   std::vector<std::string> result;
@@ -88,7 +81,7 @@ std::vector<std::string> cells(const std::string& line) {
 }
 
 std::vector<std::string> row(const TreeComparison& comparison, const std::string& start) {
-  return cells(lineWith(compareText(comparison), start));
+  return cells(testing::lineWith(compareText(comparison), start));
 }
 
 TEST(ShortNames, AreStemsWhereTheyDiffer) {
@@ -210,13 +203,13 @@ TEST(CompareCsv, IsMeasuresWithAColumnForEachTree) {
   const std::string csv = compareCsv(comparison);
   EXPECT_THAT(csv, StartsWith("region,quantity,\"wide\",\"narrow\",\"one\",published_low,"
                               "published_high,source\n"));
-  EXPECT_EQ(lineWith(csv, "all,terminals,"),
+  EXPECT_EQ(testing::lineWith(csv, "all,terminals,"),
             "all,terminals,16,8,1,26000,32000,\"Kitaoka 1999: 27,306; Haefeli-Bleuer & Weibel 1988 "
             "(recalled); both lungs\"");
   // The single branch has no daughters, and each tree lies in a lobe of its own or in none.
-  EXPECT_THAT(lineWith(csv, "all,branching_angle_deg.mean,"), HasSubstr(",,37,43,"));
-  EXPECT_EQ(lineWith(csv, "RUL,terminals,"), "RUL,terminals,,8,,,,");
-  EXPECT_EQ(lineWith(csv, "whole,terminals,"), "whole,terminals,16,,1,,,");
+  EXPECT_THAT(testing::lineWith(csv, "all,branching_angle_deg.mean,"), HasSubstr(",,37,43,"));
+  EXPECT_EQ(testing::lineWith(csv, "RUL,terminals,"), "RUL,terminals,,8,,,,");
+  EXPECT_EQ(testing::lineWith(csv, "whole,terminals,"), "whole,terminals,16,,1,,,");
 }
 
 TEST(CompareCsv, KeepsTheOrderOfTheReportWhateverATreeLacks) {

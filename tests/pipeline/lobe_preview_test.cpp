@@ -21,7 +21,7 @@ namespace {
 constexpr double SpacingMm = 2.5;
 
 /// An egg of a lung's size, its apex up.
-std::shared_ptr<const TriangleMesh> egg() {
+std::shared_ptr<const TriangleMesh> taperedEgg() {
   TriangleMesh mesh = testing::sphere(1.0, Vec3::Zero(), 5);
   for (Vec3& p : mesh.points) {
     p = p.cwiseProduct(Vec3(55.0, 80.0, 115.0)) * (1.0 - 0.15 * p.z());
@@ -30,7 +30,7 @@ std::shared_ptr<const TriangleMesh> egg() {
 }
 
 std::shared_ptr<const LungShape> shape(Side side) {
-  return std::make_shared<const LungShape>(lungShape(egg(), side));
+  return std::make_shared<const LungShape>(lungShape(taperedEgg(), side));
 }
 
 /// Bent through points that lie off the proposals.
@@ -182,7 +182,7 @@ TEST(LobesModel, GrowthGetsTheLobesAndTheWholeLungsStayForASecondSplit) {
   LungModel model;
   LobeSurface surface;
   surface.lobe = Lobe::LeftLung;
-  surface.mesh = egg();
+  surface.mesh = taperedEgg();
   surface.health = examine(*surface.mesh, SelfIntersections::Skip, {});
   model.surfaces = std::make_shared<const std::vector<LobeSurface>>(std::vector{surface});
   const LungModel split = withLobes(model, {});

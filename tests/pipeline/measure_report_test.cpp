@@ -12,6 +12,7 @@
 #include "support/json_schema.h"
 #include "support/sample_trees.h"
 #include "support/simple_domains.h"
+#include "support/text_lines.h"
 
 namespace pneuma {
 namespace {
@@ -178,31 +179,24 @@ TEST(PublishedJson, PutsTheMeasuredValueBesideTheBand) {
   EXPECT_TRUE(found);
 }
 
-std::string lineWith(const std::string& text, const std::string& start) {
-  std::istringstream lines(text);
-  for (std::string line; std::getline(lines, line);) {
-    if (line.starts_with(start)) return line;
-  }
-  return "";
-}
-
 TEST(MeasureText, PutsMeasuredPublishedAndSourceBesideEachOther) {
   const AirwayTree tree = twoLobes();
   const std::string text = measureText(measure(tree, input()), measureByLobe(tree, input()));
-  const std::string angle = lineWith(text, "branching angle, deg");
+  const std::string angle = testing::lineWith(text, "branching angle, deg");
   EXPECT_THAT(angle, HasSubstr("35.0 +- 0.0 (35.0 to 35.0)"));
   EXPECT_THAT(angle, HasSubstr("37 to 43"));
   EXPECT_THAT(angle, HasSubstr("Tawhai (recalled)"));
-  EXPECT_THAT(lineWith(text, "- mother 2-1 mm wide"), HasSubstr("Subject002"));
-  EXPECT_THAT(lineWith(text, "- mother 1-0.7 mm wide"), IsEmpty());  // there is none that narrow
-  EXPECT_THAT(lineWith(text, "box dimension, 2 to 4 mm"), Not(IsEmpty()));
-  EXPECT_THAT(lineWith(text, "gap to the nearest terminal"), HasSubstr("0.48 to 0.55"));
+  EXPECT_THAT(testing::lineWith(text, "- mother 2-1 mm wide"), HasSubstr("Subject002"));
+  EXPECT_THAT(testing::lineWith(text, "- mother 1-0.7 mm wide"),
+              IsEmpty());  // there is none that narrow
+  EXPECT_THAT(testing::lineWith(text, "box dimension, 2 to 4 mm"), Not(IsEmpty()));
+  EXPECT_THAT(testing::lineWith(text, "gap to the nearest terminal"), HasSubstr("0.48 to 0.55"));
 }
 
 TEST(MeasureText, ListsTheLobesBesideEachOther) {
   const AirwayTree tree = twoLobes();
   const std::string text = measureText(measure(tree), measureByLobe(tree));
-  const std::string header = lineWith(text, "mean by lobe");
+  const std::string header = testing::lineWith(text, "mean by lobe");
   EXPECT_THAT(header, HasSubstr("RUL"));
   EXPECT_THAT(header, HasSubstr("LLL"));
   EXPECT_THAT(header, HasSubstr("central"));
@@ -248,7 +242,7 @@ TEST(MeasureCsv, HasSixColumnsInEveryLine) {
 
 TEST(MeasureCsv, WritesValuesThatReadBackExactly) {
   const Morphometry m = measure(twoLobes());
-  const std::string line = lineWith(measureCsv(m, {}), "all,dead_space_ml,");
+  const std::string line = testing::lineWith(measureCsv(m, {}), "all,dead_space_ml,");
   EXPECT_EQ(std::stod(csvFields(line)[2]), m.deadSpaceMl);
   EXPECT_EQ(csvFields(line)[3], "130");
   EXPECT_THAT(csvFields(line)[5], StartsWith("\"adult"));

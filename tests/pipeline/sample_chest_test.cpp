@@ -10,23 +10,18 @@
 #include "anatomy/central_airways.h"
 #include "core/random.h"
 #include "geometry/surface_domain.h"
+#include "support/chest_once.h"
 #include "support/progress_recorder.h"
 
 namespace pneuma {
 namespace {
 
-/// Made once; every test looks at the same chest.
-const SampleChest& chest() {
-  static const SampleChest made = sampleChest();
-  return made;
-}
-
 const TriangleMesh& surface(Lobe lobe) {
-  return *chest().lobes[static_cast<std::size_t>(lobe) - 1].mesh;
+  return *testing::chest().lobes[static_cast<std::size_t>(lobe) - 1].mesh;
 }
 
 double volumeMl(Lobe lobe) {
-  return chest().lobes[static_cast<std::size_t>(lobe) - 1].health.volumeMl;
+  return testing::chest().lobes[static_cast<std::size_t>(lobe) - 1].health.volumeMl;
 }
 
 Vec3 randomPoint(Random& random, const Box3& box) {
@@ -37,12 +32,12 @@ Vec3 randomPoint(Random& random, const Box3& box) {
 }
 
 TEST(SampleChest, HasFiveHealthyLobesInOrder) {
-  ASSERT_EQ(chest().lobes.size(), 5U);
-  ASSERT_EQ(chest().truth.size(), 5U);
+  ASSERT_EQ(testing::chest().lobes.size(), 5U);
+  ASSERT_EQ(testing::chest().truth.size(), 5U);
   for (std::size_t i = 0; i < 5; ++i) {
-    const LobeSurface& lobe = chest().lobes[i];
+    const LobeSurface& lobe = testing::chest().lobes[i];
     EXPECT_EQ(lobe.lobe, FiveLobes[i]);
-    EXPECT_EQ(chest().truth[i].lobe, FiveLobes[i]);
+    EXPECT_EQ(testing::chest().truth[i].lobe, FiveLobes[i]);
     EXPECT_TRUE(lobe.health.healthy()) << lobe.name;
     EXPECT_EQ(lobe.health.components, 1U) << lobe.name;
     EXPECT_THAT(complaints(lobe.health), ::testing::IsEmpty()) << lobe.name;
@@ -62,8 +57,8 @@ TEST(SampleChest, HasTheVolumesOfAnAdult) {
 
 TEST(SampleChest, SurfacesTakeTheVolumeOfTheFormulas) {
   for (std::size_t i = 0; i < 5; ++i) {
-    const Domain& truth = *chest().truth[i].domain;
-    const SurfaceDomain made(*chest().lobes[i].mesh);
+    const Domain& truth = *testing::chest().truth[i].domain;
+    const SurfaceDomain made(*testing::chest().lobes[i].mesh);
     Random random(11);
     int inTruth = 0;
     int inBoth = 0;
@@ -76,10 +71,10 @@ TEST(SampleChest, SurfacesTakeTheVolumeOfTheFormulas) {
       inMade += isMade ? 1 : 0;
       inBoth += isTrue && isMade ? 1 : 0;
     }
-    EXPECT_NEAR(inMade, inTruth, 0.01 * inTruth) << chest().lobes[i].name;
-    EXPECT_GT(inBoth, 0.99 * inTruth) << chest().lobes[i].name;
+    EXPECT_NEAR(inMade, inTruth, 0.01 * inTruth) << testing::chest().lobes[i].name;
+    EXPECT_GT(inBoth, 0.99 * inTruth) << testing::chest().lobes[i].name;
     const double counted = truth.bounds().volume() * inTruth / 200000.0;
-    EXPECT_NEAR(truth.volumeMm3(), counted, 0.02 * counted) << chest().lobes[i].name;
+    EXPECT_NEAR(truth.volumeMm3(), counted, 0.02 * counted) << testing::chest().lobes[i].name;
   }
 }
 
@@ -113,7 +108,7 @@ TEST(SampleChest, LobesMeetInTheSamePointsAndDoNotOverlap) {
 TEST(SampleChest, FissuresPartTheLobesWhereTheFormulasSay) {
   // Straight down through the right lung: upper lobe, then middle, then lower.
   const auto lobeAt = [](const Vec3& p) {
-    for (const LobeRegion& region : chest().truth) {
+    for (const LobeRegion& region : testing::chest().truth) {
       if (region.domain->contains(p)) return region.lobe;
     }
     return Lobe::Whole;
@@ -136,7 +131,7 @@ TEST(SampleChest, FissuresPartTheLobesWhereTheFormulasSay) {
 }
 
 TEST(SampleChest, TruthNeverClaimsMoreDistanceThanThereIs) {
-  for (const LobeRegion& region : chest().truth) {
+  for (const LobeRegion& region : testing::chest().truth) {
     Random random(3);
     for (int n = 0; n < 5000; ++n) {
       const Vec3 p = randomPoint(random, region.domain->bounds());
@@ -149,21 +144,21 @@ TEST(SampleChest, TruthNeverClaimsMoreDistanceThanThereIs) {
 }
 
 TEST(SampleChest, EveryLobeHasOneBronchusThatEndsInIt) {
-  EXPECT_THAT(problems(chest().central), ::testing::IsEmpty());
-  EXPECT_EQ(terminalCount(chest().central), 5U);
+  EXPECT_THAT(problems(testing::chest().central), ::testing::IsEmpty());
+  EXPECT_EQ(terminalCount(testing::chest().central), 5U);
   for (const bool made : {false, true}) {
-    std::vector<LobeRegion> regions = chest().truth;
+    std::vector<LobeRegion> regions = testing::chest().truth;
     for (std::size_t i = 0; made && i < 5; ++i) {
-      regions[i].domain = std::make_shared<SurfaceDomain>(*chest().lobes[i].mesh);
+      regions[i].domain = std::make_shared<SurfaceDomain>(*testing::chest().lobes[i].mesh);
     }
-    AirwayTree central = chest().central;
+    AirwayTree central = testing::chest().central;
     const std::vector<Inlet> inlets = assignLobes(central, regions);
     ASSERT_EQ(inlets.size(), 5U);
     std::set<std::size_t> lobes;
     for (const Inlet& inlet : inlets) {
       lobes.insert(inlet.region);
       EXPECT_EQ(central[inlet.branch].lobe, regions[inlet.region].lobe);
-      EXPECT_EQ(chest().central[inlet.branch].lobe, regions[inlet.region].lobe);
+      EXPECT_EQ(testing::chest().central[inlet.branch].lobe, regions[inlet.region].lobe);
       EXPECT_LT(lengthMm(central[inlet.branch]), 60.0) << "a lobar bronchus is short";
     }
     EXPECT_EQ(lobes.size(), 5U);
@@ -185,7 +180,7 @@ TEST(SampleChest, IsAsHealthyOnACoarseLattice) {
   for (std::size_t i = 0; i < 5; ++i) {
     EXPECT_TRUE(coarse.lobes[i].health.healthy()) << coarse.lobes[i].name;
     EXPECT_EQ(coarse.lobes[i].health.components, 1U) << coarse.lobes[i].name;
-    const double fine = chest().lobes[i].health.volumeMl;
+    const double fine = testing::chest().lobes[i].health.volumeMl;
     EXPECT_NEAR(coarse.lobes[i].health.volumeMl, fine, 0.01 * fine) << coarse.lobes[i].name;
   }
 }
@@ -203,11 +198,11 @@ TEST(SampleChest, StopsWhenAsked) {
 TEST(SampleChest, LobesChangeAtTheFissures) {
   // Below and above each fissure, one millimetre away, are the lobes that it parts.
   const auto holds = [](Lobe lobe, const Vec3& p) {
-    return chest().truth[static_cast<std::size_t>(lobe) - 1].domain->contains(p);
+    return testing::chest().truth[static_cast<std::size_t>(lobe) - 1].domain->contains(p);
   };
-  ASSERT_EQ(chest().fissures.size(), 3U);
+  ASSERT_EQ(testing::chest().fissures.size(), 3U);
   Random random(11);
-  for (const SampleFissure& fissure : chest().fissures) {
+  for (const SampleFissure& fissure : testing::chest().fissures) {
     const bool right = fissure.name.starts_with("right");
     const bool horizontal = fissure.name == "right-horizontal";
     std::size_t crossings = 0;

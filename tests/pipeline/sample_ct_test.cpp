@@ -8,17 +8,13 @@
 
 #include "core/parallel.h"
 #include "core/units.h"
+#include "support/chest_once.h"
 #include "support/progress_recorder.h"
 
 namespace pneuma {
 namespace {
 
 using ::testing::HasSubstr;
-
-const SampleChest& chest() {
-  static const SampleChest made = sampleChest();
-  return made;
-}
 
 /// Coarse and without noise, so that a CT takes about a second.
 SampleCtOptions coarse() {
@@ -30,7 +26,7 @@ SampleCtOptions coarse() {
 }
 
 const SampleCt& plain() {
-  static const SampleCt made = sampleCt(chest(), coarse());
+  static const SampleCt made = sampleCt(testing::chest(), coarse());
   return made;
 }
 
@@ -39,14 +35,14 @@ constexpr std::uint8_t Left = 20;
 constexpr std::uint8_t Airways = 6;
 
 bool inLung(Side lung, const Vec3& p) {
-  return std::ranges::any_of(chest().truth, [&](const LobeRegion& region) {
+  return std::ranges::any_of(testing::chest().truth, [&](const LobeRegion& region) {
     return side(region.lobe) == lung && region.domain->contains(p);
   });
 }
 
 double formulaMl(Side lung) {
   double ml = 0.0;
-  for (const LobeRegion& region : chest().truth) {
+  for (const LobeRegion& region : testing::chest().truth) {
     if (side(region.lobe) == lung) ml += millilitres(region.domain->volumeMm3());
   }
   return ml;
@@ -125,7 +121,7 @@ TEST(SampleCt, LooksLikeAChest) {
 }
 
 TEST(SampleCt, FissuresAreThinSheets) {
-  for (const SampleFissure& fissure : chest().fissures) {
+  for (const SampleFissure& fissure : testing::chest().fissures) {
     std::vector<int> on;
     std::vector<int> beside;
     for (const Vec3& p : fissure.points) {
@@ -146,7 +142,7 @@ TEST(SampleCt, FissuresAreThinSheets) {
 }
 
 TEST(SampleCt, AirwaysOfTheTreeAreLumen) {
-  EXPECT_EQ(plain().central.size(), chest().central.size());
+  EXPECT_EQ(plain().central.size(), testing::chest().central.size());
   EXPECT_GT(plain().airways.size(), 60U);
   for (std::size_t b = 0; b < plain().central.size(); ++b) {
     const Branch& branch = plain().airways[b];
@@ -165,7 +161,7 @@ TEST(SampleCt, TheSameSeedGivesTheSameBytesForAnyNumberOfThreads) {
   options.noiseHu = 20.0;
   const auto made = [&](unsigned threads) {
     const ThreadLimit limit(threads);
-    return sampleCt(chest(), options);
+    return sampleCt(testing::chest(), options);
   };
   const SampleCt one = made(1);
   const SampleCt two = made(2);
@@ -181,7 +177,7 @@ TEST(SampleCt, TheSameSeedGivesTheSameBytesForAnyNumberOfThreads) {
 TEST(SampleCt, TiltedSlicesLeanAndShowTheSameChest) {
   SampleCtOptions options = coarse();
   options.tiltDeg = 15.0;
-  const SampleCt ct = sampleCt(chest(), options);
+  const SampleCt ct = sampleCt(testing::chest(), options);
   const ImageGeometry& geometry = ct.image.geometry;
   const Vec3 normal = geometry.direction.col(0).cross(geometry.direction.col(1));
   EXPECT_NEAR(degrees(angleBetween(normal, geometry.direction.col(2))), 15.0, 1e-9);
@@ -197,7 +193,7 @@ TEST(SampleCt, TiltedSlicesLeanAndShowTheSameChest) {
 TEST(SampleCt, TheMirrorSwapsAnatomyAndKeepsTheHeader) {
   SampleCtOptions options = coarse();
   options.mirror = true;
-  const SampleCt ct = sampleCt(chest(), options);
+  const SampleCt ct = sampleCt(testing::chest(), options);
   EXPECT_EQ(ct.image.geometry, plain().image.geometry);
   std::size_t wrong = 0;
   const int last = ct.image.geometry.size[0] - 1;
@@ -213,18 +209,18 @@ TEST(SampleCt, TheMirrorSwapsAnatomyAndKeepsTheHeader) {
 }
 
 TEST(SampleCt, TheMirroredChestKeepsItsSurfacesOutward) {
-  const SampleChest turned = mirrored(chest());
+  const SampleChest turned = mirrored(testing::chest());
   for (std::size_t i = 0; i < 5; ++i) {
-    EXPECT_NEAR(signedVolumeMm3(*turned.lobes[i].mesh), signedVolumeMm3(*chest().lobes[i].mesh),
-                1.0);
+    EXPECT_NEAR(signedVolumeMm3(*turned.lobes[i].mesh),
+                signedVolumeMm3(*testing::chest().lobes[i].mesh), 1.0);
   }
-  EXPECT_EQ(turned.lobes[0].mesh->points[0].x(), -chest().lobes[0].mesh->points[0].x());
+  EXPECT_EQ(turned.lobes[0].mesh->points[0].x(), -testing::chest().lobes[0].mesh->points[0].x());
 }
 
 TEST(SampleCt, ACollapsedLungIsDenseBelowAndTheTruthStays) {
   SampleCtOptions options = coarse();
   options.collapsed = true;
-  const SampleCt ct = sampleCt(chest(), options);
+  const SampleCt ct = sampleCt(testing::chest(), options);
   EXPECT_EQ(ct.truth.voxels, plain().truth.voxels);
   EXPECT_EQ(meanHu(ct, Right), meanHu(plain(), Right));
   EXPECT_GT(meanHu(ct, Left), meanHu(plain(), Left) + 100.0);
@@ -247,7 +243,7 @@ double abdominalGasMl(const SampleCt& ct) {
 TEST(SampleCt, StomachGasLiesUnderASheetOfTheLeftDome) {
   SampleCtOptions options = coarse();
   options.stomachGas = true;
-  const SampleCt ct = sampleCt(chest(), options);
+  const SampleCt ct = sampleCt(testing::chest(), options);
   EXPECT_EQ(ct.truth.voxels, plain().truth.voxels);
   EXPECT_GT(abdominalGasMl(ct), 120.0);
   EXPECT_LT(abdominalGasMl(plain()), 25.0);
@@ -274,7 +270,7 @@ TEST(SampleCt, TouchingLungsArePartedByLessThanAVoxel) {
   EXPECT_EQ(touchingVoxels(plain().truth), 0);
   SampleCtOptions options = coarse();
   options.touchingLungsMm = 10.0;
-  const SampleCt ct = sampleCt(chest(), options);
+  const SampleCt ct = sampleCt(testing::chest(), options);
   const double mm2 = touchingVoxels(ct.truth) * 2.5 * 3.0;
   EXPECT_NEAR(mm2, 10.0 * 56.0 + 7.0 * 30.0, 200.0);
   EXPECT_LT(huAt(ct, {0.0, 30.5, 70.0}), -700);
@@ -285,7 +281,7 @@ TEST(SampleCt, GapsAreInsideAndApart) {
   options.spacingMm = 5.0;
   options.thickMm = 5.0;
   options.gaps = 4;
-  const SampleCt ct = sampleCt(chest(), options);
+  const SampleCt ct = sampleCt(testing::chest(), options);
   ASSERT_EQ(ct.missing.size(), 4U);
   EXPECT_GT(ct.missing.front(), 1);
   EXPECT_LT(ct.missing.back(), ct.image.geometry.size[2] - 2);
@@ -297,13 +293,13 @@ TEST(SampleCt, RefusesOptionsOutOfRangeAndStopsOnRequest) {
   SampleCtOptions options = coarse();
   options.tiltDeg = 45.0;
   try {
-    sampleCt(chest(), options);
+    sampleCt(testing::chest(), options);
     FAIL() << "a tilt of 45 degrees was taken";
   } catch (const InvalidOption& error) {
     EXPECT_THAT(error.what(), HasSubstr("tilt"));
   }
   testing::ProgressRecorder recorder(0.5);
-  EXPECT_THROW(sampleCt(chest(), coarse(), Progress(recorder)), Cancelled);
+  EXPECT_THROW(sampleCt(testing::chest(), coarse(), Progress(recorder)), Cancelled);
   EXPECT_TRUE(std::ranges::is_sorted(recorder.fractions()));
 }
 

@@ -9,16 +9,12 @@
 #include "segmentation/label_agreement.h"
 #include "segmentation/label_surface.h"
 #include "segmentation/lung_segmentation.h"
+#include "support/chest_once.h"
 #include "support/stop_watch_sink.h"
 
 // Lungs and airways found in CTs of the sample chest, whose truth is known.
 namespace pneuma {
 namespace {
-
-const SampleChest& chest() {
-  static const SampleChest made = sampleChest();
-  return made;
-}
 
 struct Case {
   std::string name;
@@ -51,7 +47,7 @@ class SegmentSample : public ::testing::TestWithParam<Case> {};
 
 TEST_P(SegmentSample, AgreesWithTheTruth) {
   const SampleCtOptions& options = GetParam().options;
-  const SampleCt sample = sampleCt(chest(), options);
+  const SampleCt sample = sampleCt(testing::chest(), options);
   const LungSegmentation found = segmentLungs(sample.image);
   const double volumeLimit = options.thickMm <= 2.5 ? 0.01 : 0.03;
   for (const Lobe lung : {Lobe::RightLung, Lobe::LeftLung}) {
@@ -93,7 +89,7 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(SegmentedSample, TakesTheGasOfTheStomachOutAndSaysSo) {
   SampleCtOptions options = usual();
   options.stomachGas = true;
-  const SampleCt sample = sampleCt(chest(), options);
+  const SampleCt sample = sampleCt(testing::chest(), options);
   EXPECT_GT(segmentLungs(sample.image).gasRemovedMl, 20.0);
   LungOptions keep;
   keep.gas = GasPockets::Keep;
@@ -103,10 +99,10 @@ TEST(SegmentedSample, TakesTheGasOfTheStomachOutAndSaysSo) {
 TEST(SegmentedSample, FlagsACollapsedLung) {
   SampleCtOptions options = usual();
   options.collapsed = true;
-  const LungSegmentation found = segmentLungs(sampleCt(chest(), options).image);
+  const LungSegmentation found = segmentLungs(sampleCt(testing::chest(), options).image);
   EXPECT_TRUE(failed(found, "LUNG-L-DENSE") || failed(found, "LUNG-L-VOLUME") ||
               failed(found, "LUNG-RATIO"));
-  EXPECT_FALSE(failed(segmentLungs(sampleCt(chest(), usual()).image), "LUNG"));
+  EXPECT_FALSE(failed(segmentLungs(sampleCt(testing::chest(), usual()).image), "LUNG"));
 }
 
 TEST(OrientationOfACt, IsNotToldWithoutLungs) {
@@ -125,7 +121,7 @@ SampleCt coarseSample() {
   SampleCtOptions options;
   options.spacingMm = 1.5;
   options.thickMm = 2.5;
-  return sampleCt(chest(), options);
+  return sampleCt(testing::chest(), options);
 }
 
 /// Sets the density of what is airway in the truth, where `wanted(i, j, k)` holds.
@@ -213,7 +209,7 @@ TEST(SegmentedSample, SaysThatAPartOfALungHangsTogetherWithNeither) {
 }
 
 TEST(SegmentedSample, CanBeStoppedAtAnyMoment) {
-  const SampleCt sample = sampleCt(chest(), usual());
+  const SampleCt sample = sampleCt(testing::chest(), usual());
   testing::StopWatchSink watch;
   const LungSegmentation found = segmentLungs(sample.image, {}, Progress(watch));
   labelSurface(found.labels, static_cast<std::uint8_t>(Lobe::RightLung), {}, Progress(watch));
@@ -223,21 +219,21 @@ TEST(SegmentedSample, CanBeStoppedAtAnyMoment) {
 TEST(SegmentedSample, WarnsOfSwappedSidesAndChangesNothing) {
   SampleCtOptions options = usual();
   options.mirror = true;
-  const SampleCt sample = sampleCt(chest(), options);
+  const SampleCt sample = sampleCt(testing::chest(), options);
   const LungSegmentation found = segmentLungs(sample.image);
   EXPECT_TRUE(failed(found, "HANDEDNESS")) << found.hands.votes();
   EXPECT_GE(agreement(sample.truth, found.labels, 10).dice, 0.985);
   EXPECT_GE(agreement(sample.truth, found.labels, 20).dice, 0.985);
   EXPECT_TRUE(checkOrientation(sample.image).maybeSwapped());
-  EXPECT_FALSE(checkOrientation(sampleCt(chest(), usual()).image).maybeSwapped());
-  EXPECT_FALSE(failed(segmentLungs(sampleCt(chest(), usual()).image), "HANDEDNESS"));
+  EXPECT_FALSE(checkOrientation(sampleCt(testing::chest(), usual()).image).maybeSwapped());
+  EXPECT_FALSE(failed(segmentLungs(sampleCt(testing::chest(), usual()).image), "HANDEDNESS"));
 }
 
 TEST(SegmentedSample, IsTheSameForAnyOrderOfTheAxesAndAnyNumberOfThreads) {
   SampleCtOptions options = usual();
   options.spacingMm = 2.0;
   options.thickMm = 4.0;
-  const CtImage image = sampleCt(chest(), options).image;
+  const CtImage image = sampleCt(testing::chest(), options).image;
   const LungSegmentation found = segmentLungs(image);
   const AxisOrder order{{2, 0, 1}, {true, false, true}};
   const LungSegmentation other = segmentLungs(turned(image, order));

@@ -13,8 +13,8 @@
 namespace pneuma {
 namespace {
 
-constexpr int Width = 400;
-constexpr int Height = 300;
+constexpr int BreathWidth = 400;
+constexpr int BreathHeight = 300;
 
 const Vec3 RightCentre(-70.0, 0.0, 0.0);
 const Vec3 LeftCentre(70.0, 0.0, 0.0);
@@ -105,7 +105,7 @@ Picture played(const BreathScale& scale, bool interactive = false) {
   scene.setBreathing(std::make_shared<const BreathingScene>(breathing()));
   scene.setBreath(scale);
   scene.setInteractive(interactive);
-  return renderPicture(scene, Width, Height);
+  return renderPicture(scene, BreathWidth, BreathHeight);
 }
 
 /// The same with everything moved here, seen from the same place.
@@ -125,7 +125,7 @@ Picture moved(const BreathScale& scale, bool interactive = false) {
   }
   scene.setTree(tree);
   scene.setInteractive(interactive);
-  return renderPicture(scene, Width, Height);
+  return renderPicture(scene, BreathWidth, BreathHeight);
 }
 
 /// How many channels differ by more than 2 of 255.
@@ -155,10 +155,10 @@ TEST(BreathingScene, TakesNoMotionOfOtherSurfaces) {
   scene.setOptions(plain());
   scene.setSurfaces({surfaces()[0]});
   scene.look({});
-  const Picture still = renderPicture(scene, Width, Height);
+  const Picture still = renderPicture(scene, BreathWidth, BreathHeight);
   scene.setBreathing(std::make_shared<const BreathingScene>(breathing()));
   scene.setBreath({1.0, 1.0});
-  EXPECT_EQ(renderPicture(scene, Width, Height).rgb, still.rgb);
+  EXPECT_EQ(renderPicture(scene, BreathWidth, BreathHeight).rgb, still.rgb);
 }
 
 TEST(BreathingScene, StandsAgainWithoutABreath) {
@@ -167,12 +167,12 @@ TEST(BreathingScene, StandsAgainWithoutABreath) {
   scene.setSurfaces(surfaces());
   scene.setTree(bronchi());
   scene.look({});
-  const Picture before = renderPicture(scene, Width, Height);
+  const Picture before = renderPicture(scene, BreathWidth, BreathHeight);
   scene.setBreathing(std::make_shared<const BreathingScene>(breathing()));
   scene.setBreath({1.0, 1.0});
-  EXPECT_NE(renderPicture(scene, Width, Height).rgb, before.rgb);
+  EXPECT_NE(renderPicture(scene, BreathWidth, BreathHeight).rgb, before.rgb);
   scene.setBreathing(nullptr);
-  EXPECT_EQ(renderPicture(scene, Width, Height).rgb, before.rgb);
+  EXPECT_EQ(renderPicture(scene, BreathWidth, BreathHeight).rgb, before.rgb);
 }
 
 TEST(BreathingScene, ABranchIsFoundWhereItIsDrawn) {
@@ -187,7 +187,7 @@ TEST(BreathingScene, ABranchIsFoundWhereItIsDrawn) {
     for (Vec3& u : via) u = Vec3(0.0, 0.0, -60.0);
   }
   scene.setBreathing(std::make_shared<const BreathingScene>(far));
-  renderPicture(scene, Width, Height);
+  renderPicture(scene, BreathWidth, BreathHeight);
   EXPECT_EQ(scene.branchAt(10.0, 10.0), std::nullopt);
 }
 
@@ -201,9 +201,9 @@ TEST(BreathingScene, ValuesColourTheLungsAndStandInTheLegend) {
   scene.setSurfaces(surfaces());
   scene.look({});
   scene.setBreathing(std::make_shared<const BreathingScene>(breathing()));
-  const Picture lobes = renderPicture(scene, Width, Height);
+  const Picture lobes = renderPicture(scene, BreathWidth, BreathHeight);
   scene.setBreathing(std::make_shared<const BreathingScene>(values));
-  const Picture coloured = renderPicture(scene, Width, Height);
+  const Picture coloured = renderPicture(scene, BreathWidth, BreathHeight);
   EXPECT_GT(channelsThatDiffer(lobes, coloured), 20000U);
   EXPECT_GT(scene.legendWidth(), 20);
 }
@@ -257,7 +257,7 @@ Picture drawn(const BreathingScene& breathing, const BreathScale& scale, bool on
   scene.setBreathing(std::make_shared<const BreathingScene>(breathing));
   scene.setBreath(scale);
   scene.setOnionSkin(onionSkin);
-  return renderPicture(scene, Width, Height);
+  return renderPicture(scene, BreathWidth, BreathHeight);
 }
 
 TEST(BreathingScene, AChestWallStandsAroundTheLungAndMovesByItsOwnScale) {
@@ -309,7 +309,7 @@ TEST(BreathingScene, ABallMovesWithItsLung) {
     scene.setBalls(std::move(balls));
     scene.setBreathing(std::make_shared<const BreathingScene>(breathing()));
     scene.setBreath(scale);
-    return renderPicture(scene, Width, Height);
+    return renderPicture(scene, BreathWidth, BreathHeight);
   };
   SceneBall ball{RightCentre, 20.0, true, false, Side::Right, Vec3(0.0, 0.0, -15.0)};
   const BreathScale full{1.0, 1.0};

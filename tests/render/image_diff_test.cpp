@@ -11,8 +11,8 @@ namespace pneuma {
 namespace {
 
 constexpr double Threshold = 0.03;
-constexpr int Width = 480;
-constexpr int Height = 360;
+constexpr int ComparedWidth = 480;
+constexpr int ComparedHeight = 360;
 
 /// The same lungs drawn once right, and then with one thing wrong.
 class ImageDifference : public testing::TestWithParam<Background> {
@@ -27,7 +27,7 @@ class ImageDifference : public testing::TestWithParam<Background> {
     reference_ = picture();
   }
 
-  Picture picture() { return renderPicture(scene_, Width, Height); }
+  Picture picture() { return renderPicture(scene_, ComparedWidth, ComparedHeight); }
 
   double error(const Picture& other) const { return compare(other, reference_).error; }
 
@@ -49,10 +49,10 @@ TEST_P(ImageDifference, NoticesAHiddenLobe) {
 
 TEST_P(ImageDifference, NoticesAMirroredPicture) {
   Picture mirrored = reference_;
-  for (int y = 0; y < Height; ++y) {
-    for (int x = 0; x < Width; ++x) {
-      const auto from = reference_.rgb.begin() + 3 * (y * Width + x);
-      std::copy_n(from, 3, mirrored.rgb.begin() + 3 * (y * Width + Width - 1 - x));
+  for (int y = 0; y < ComparedHeight; ++y) {
+    for (int x = 0; x < ComparedWidth; ++x) {
+      const auto from = reference_.rgb.begin() + 3 * (y * ComparedWidth + x);
+      std::copy_n(from, 3, mirrored.rgb.begin() + 3 * (y * ComparedWidth + ComparedWidth - 1 - x));
     }
   }
   EXPECT_GT(error(mirrored), Threshold);
@@ -103,11 +103,11 @@ TEST_P(ImageDifference, OverlooksGrainOfTwoGreyLevels) {
 TEST_P(ImageDifference, ShowsWhereThePicturesDiffer) {
   Picture marked = reference_;
   for (int y = 100; y < 120; ++y) {
-    std::fill_n(marked.rgb.begin() + 3 * (y * Width + 50), 60, std::uint8_t{255});
+    std::fill_n(marked.rgb.begin() + 3 * (y * ComparedWidth + 50), 60, std::uint8_t{255});
   }
   const Picture difference = compare(marked, reference_).difference;
   const auto at = [&](int x, int y) {
-    return difference.rgb[static_cast<std::size_t>(3 * (y * Width + x))];
+    return difference.rgb[static_cast<std::size_t>(3 * (y * ComparedWidth + x))];
   };
   EXPECT_GT(at(60, 110), 50);
   EXPECT_EQ(at(300, 250), 0);

@@ -18,9 +18,9 @@ struct ImageCase {
 
 void PrintTo(const ImageCase& image, std::ostream* out) { *out << image.name; }
 
-class Image : public testing::TestWithParam<ImageCase> {};
+class ImageTest : public testing::TestWithParam<ImageCase> {};
 
-TEST_P(Image, LooksLikeItsBaseline) {
+TEST_P(ImageTest, LooksLikeItsBaseline) {
   const ImageCase& image = GetParam();
   Scene scene;
   scene.setSurfaces(test::generatedLobes());
@@ -32,7 +32,7 @@ TEST_P(Image, LooksLikeItsBaseline) {
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    Scene, Image,
+    Scene, ImageTest,
     testing::Values(
         ImageCase{"lobe", "A", {}}, ImageCase{"segment", "A", {.colourBy = ColourBy::Segment}},
         ImageCase{"generation", "A", {.colourBy = ColourBy::Generation}},

@@ -12,16 +12,16 @@
 namespace pneuma {
 namespace {
 
-constexpr int Width = 150;  // no multiple of 16, which the codec's blocks are
-constexpr int Height = 90;
+constexpr int FilmWidth = 150;  // no multiple of 16, which the codec's blocks are
+constexpr int FilmHeight = 90;
 
 /// Grey on the left, one colour on the right, in the upper half brighter.
 Picture moment(int n) {
-  Picture picture{Width, Height, {}};
-  for (int y = 0; y < Height; ++y) {
-    for (int x = 0; x < Width; ++x) {
-      const int level = y < Height / 2 ? 200 : 80;
-      const bool grey = x < Width / 2;
+  Picture picture{FilmWidth, FilmHeight, {}};
+  for (int y = 0; y < FilmHeight; ++y) {
+    for (int x = 0; x < FilmWidth; ++x) {
+      const int level = y < FilmHeight / 2 ? 200 : 80;
+      const bool grey = x < FilmWidth / 2;
       picture.rgb.push_back(static_cast<std::uint8_t>(level));
       picture.rgb.push_back(static_cast<std::uint8_t>(grey ? level : 20 * n));
       picture.rgb.push_back(static_cast<std::uint8_t>(grey ? level : 0));
@@ -50,11 +50,11 @@ TEST(Movie, HoldsEveryPictureInOrderAndUpright) {
   ASSERT_EQ(frames.size(), 10U);
   for (int n = 0; n < 10; ++n) {
     const cv::Mat& frame = frames[static_cast<std::size_t>(n)];
-    ASSERT_EQ(frame.cols, Width);
-    ASSERT_EQ(frame.rows, Height);
+    ASSERT_EQ(frame.cols, FilmWidth);
+    ASSERT_EQ(frame.rows, FilmHeight);
     for (const auto& [x, y] : {std::pair{20, 20}, {20, 70}, {130, 20}, {130, 70}}) {
       const auto pixel = frame.at<cv::Vec3b>(y, x);  // blue, green, red
-      const std::size_t at = 3 * static_cast<std::size_t>(y * Width + x);
+      const std::size_t at = 3 * static_cast<std::size_t>(y * FilmWidth + x);
       const Picture truth = moment(n);
       for (std::size_t channel = 0; channel < 3; ++channel) {
         EXPECT_NEAR(pixel[static_cast<int>(2 - channel)], truth.rgb[at + channel], 12)

@@ -17,15 +17,15 @@
 namespace pneuma {
 namespace {
 
-constexpr int Width = 400;
-constexpr int Height = 300;
+constexpr int SceneWidth = 400;
+constexpr int SceneHeight = 300;
 
 /// A scene in a window of its own, as an application holds it.
 class SceneInAWindow : public testing::Test {
  protected:
   SceneInAWindow() : tree_(test::generatedTree()) {
     window_->SetOffScreenRendering(1);
-    window_->SetSize(Width, Height);
+    window_->SetSize(SceneWidth, SceneHeight);
     scene_.attachTo(window_);
     scene_.setSurfaces(test::generatedLobes());
     scene_.setTree(tree_);
@@ -133,12 +133,12 @@ TEST_F(SceneInAWindow, FramesAgainWhenResizedUntilSomebodyMovesTheCamera) {
   scene_.look({});
   vtkCamera* camera = scene_.renderer()->GetActiveCamera();
   const double distance = camera->GetDistance();
-  window_->SetSize(Width / 2, Height);
+  window_->SetSize(SceneWidth / 2, SceneHeight);
   scene_.updateAnnotations();
   EXPECT_GT(camera->GetDistance(), 1.2 * distance);
   camera->Azimuth(5.0);
   const double moved = camera->GetDistance();
-  window_->SetSize(Width, Height);
+  window_->SetSize(SceneWidth, SceneHeight);
   scene_.updateAnnotations();
   EXPECT_DOUBLE_EQ(camera->GetDistance(), moved);
 }
@@ -163,17 +163,17 @@ TEST_F(SceneInAWindow, PeersAreFramedAtOneScaleWhicheverIsShown) {
 
 TEST_F(SceneInAWindow, KeepsTheLegendInItsColumn) {
   scene_.look({});
-  const Picture with = renderPicture(scene_, Width, Height);
+  const Picture with = renderPicture(scene_, SceneWidth, SceneHeight);
   const int column = scene_.legendWidth();
   EXPECT_GT(column, 20);
-  EXPECT_LT(column, Width / 3);
+  EXPECT_LT(column, SceneWidth / 3);
   scene_.setOptions({.legend = false});
-  const Picture without = renderPicture(scene_, Width, Height);
+  const Picture without = renderPicture(scene_, SceneWidth, SceneHeight);
   EXPECT_EQ(scene_.legendWidth(), 0);
   // The camera has not moved: but for the letters at the edges, nothing else changes.
-  for (int y = 30; y < Height - 30; ++y) {
-    for (int x = 30; x < Width - column - 30; ++x) {
-      const auto at = static_cast<std::size_t>(3 * (y * Width + x));
+  for (int y = 30; y < SceneHeight - 30; ++y) {
+    for (int x = 30; x < SceneWidth - column - 30; ++x) {
+      const auto at = static_cast<std::size_t>(3 * (y * SceneWidth + x));
       ASSERT_EQ(with.rgb[at], without.rgb[at]) << x << " " << y;
     }
   }
@@ -251,7 +251,7 @@ TEST_F(SceneInAWindow, DrawsWhatIsAddedToAPreviewOnTheScreen) {
     scene_.updateAnnotations();
     window_->Render();
     vtkNew<vtkUnsignedCharArray> pixels;
-    window_->GetPixelData(0, 0, Width - 1, Height - 1, 0, pixels);
+    window_->GetPixelData(0, 0, SceneWidth - 1, SceneHeight - 1, 0, pixels);
     const std::uint8_t* first = pixels->GetPointer(0);
     return std::vector<std::uint8_t>(first, first + pixels->GetNumberOfValues());
   };

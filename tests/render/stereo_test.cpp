@@ -23,18 +23,19 @@ std::shared_ptr<const TriangleMesh> cube(const Vec3& centre) {
   return mesh;
 }
 
-constexpr int Width = 400;  // of each eye
-constexpr int Height = 300;
+constexpr int EyeWidth = 400;  // of each eye
+constexpr int EyeHeight = 300;
 
 /// The middle column of what stands out in the rows from `top` to `bottom` of an eye's half.
 double columnOf(const Picture& both, int half, int top, int bottom) {
   double sum = 0.0;
   double weight = 0.0;
   for (int row = top; row < bottom; ++row) {
-    for (int column = 0; column < Width; ++column) {
+    for (int column = 0; column < EyeWidth; ++column) {
       const std::size_t at =
-          3 * (static_cast<std::size_t>(row) * 2 * Width + half * Width + column);
-      const std::size_t corner = 3 * (static_cast<std::size_t>(row) * 2 * Width + half * Width);
+          3 * (static_cast<std::size_t>(row) * 2 * EyeWidth + half * EyeWidth + column);
+      const std::size_t corner =
+          3 * (static_cast<std::size_t>(row) * 2 * EyeWidth + half * EyeWidth);
       double difference = 0.0;
       for (std::size_t c = 0; c < 3; ++c) {
         difference += std::abs(both.rgb[at + c] - both.rgb[corner + c]);
@@ -58,30 +59,32 @@ Picture eyes(Stereo stereo, double mm = 10.0) {
   scene.setSurfaces(
       {{Lobe::RightUpper, cube({0.0, -50.0, 40.0})}, {Lobe::LeftUpper, cube({0.0, 50.0, -40.0})}});
   scene.look({});
-  const int width = stereo == Stereo::Anaglyph ? Width : 2 * Width;
-  return renderStereo(scene, width, Height, {stereo, mm});
+  const int width = stereo == Stereo::Anaglyph ? EyeWidth : 2 * EyeWidth;
+  return renderStereo(scene, width, EyeHeight, {stereo, mm});
 }
 
 TEST(Stereo, NearThingsCrossAndFarThingsSpread) {
   const Picture both = eyes(Stereo::SideBySide);
-  ASSERT_EQ(both.width, 2 * Width);
-  const double near = columnOf(both, 0, 0, Height / 2) - columnOf(both, 1, 0, Height / 2);
-  const double far = columnOf(both, 0, Height / 2, Height) - columnOf(both, 1, Height / 2, Height);
+  ASSERT_EQ(both.width, 2 * EyeWidth);
+  const double near = columnOf(both, 0, 0, EyeHeight / 2) - columnOf(both, 1, 0, EyeHeight / 2);
+  const double far =
+      columnOf(both, 0, EyeHeight / 2, EyeHeight) - columnOf(both, 1, EyeHeight / 2, EyeHeight);
   EXPECT_GT(near, 2.0) << "what is near lies further right for the left eye";
   EXPECT_LT(far, -2.0) << "what is far lies further left for the left eye";
   EXPECT_LT(std::abs(far), near) << "parallax grows with nearness";
   const Picture wide = eyes(Stereo::SideBySide, 20.0);
-  EXPECT_NEAR(columnOf(wide, 0, 0, Height / 2) - columnOf(wide, 1, 0, Height / 2), 2.0 * near, 1.0);
+  EXPECT_NEAR(columnOf(wide, 0, 0, EyeHeight / 2) - columnOf(wide, 1, 0, EyeHeight / 2), 2.0 * near,
+              1.0);
 }
 
 TEST(Stereo, CrossedEyesGetTheHalvesSwapped) {
   const Picture beside = eyes(Stereo::SideBySide);
   const Picture crossed = eyes(Stereo::Crossed);
-  for (int row = 0; row < Height; row += 10) {
-    for (int column = 0; column < Width; ++column) {
-      const std::size_t line = static_cast<std::size_t>(row) * 2 * Width;
-      ASSERT_EQ(beside.rgb[3 * (line + column)], crossed.rgb[3 * (line + Width + column)]);
-      ASSERT_EQ(beside.rgb[3 * (line + Width + column)], crossed.rgb[3 * (line + column)]);
+  for (int row = 0; row < EyeHeight; row += 10) {
+    for (int column = 0; column < EyeWidth; ++column) {
+      const std::size_t line = static_cast<std::size_t>(row) * 2 * EyeWidth;
+      ASSERT_EQ(beside.rgb[3 * (line + column)], crossed.rgb[3 * (line + EyeWidth + column)]);
+      ASSERT_EQ(beside.rgb[3 * (line + EyeWidth + column)], crossed.rgb[3 * (line + column)]);
     }
   }
 }
