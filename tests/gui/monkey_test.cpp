@@ -36,6 +36,12 @@ int actionCount() {
   return wanted == nullptr ? 150 : std::atoi(wanted);
 }
 
+/// Another seed does other things: PNEUMA_MONKEY_SEED.
+std::uint64_t seed() {
+  const char* wanted = std::getenv("PNEUMA_MONKEY_SEED");
+  return wanted == nullptr ? 2026 : std::strtoull(wanted, nullptr, 10);
+}
+
 class MonkeyTest : public testing::WindowTest {
  protected:
   void SetUp() override {
@@ -211,7 +217,7 @@ class MonkeyTest : public testing::WindowTest {
     return steps_.mid(std::max(0, steps_.size() - 15)).join(", ").toStdString();
   }
 
-  Random random_{2026};
+  Random random_{seed()};
 
  private:
   QTimer closer_;

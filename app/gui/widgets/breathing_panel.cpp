@@ -1,5 +1,6 @@
 #include "widgets/breathing_panel.h"
 
+#include <QDoubleSpinBox>
 #include <QLabel>
 #include <QVBoxLayout>
 #include <QVariant>
@@ -27,8 +28,14 @@ BreathingPanel::BreathingPanel(Document& document, RegionEditor& regions, const 
   column->setSpacing(8);
   column->addWidget(heading(tr("Breathe")));
   model_.bind(document_.breatheOptions());
-  column->addWidget(new OptionsForm(
-      model_, {"scenario", "posture", "tidal", "period", "motion", "model", "affected", "frames"}));
+  auto* form = new OptionsForm(
+      model_, {"scenario", "posture", "tidal", "period", "motion", "model", "affected", "frames"},
+      NarrowLabelWidth);
+  for (const char* name : {"option_tidal", "option_period"}) {
+    form->findChild<QDoubleSpinBox*>(QString::fromUtf8(name))
+        ->setSpecialValueText(tr("scenario's"));
+  }
+  column->addWidget(form);
   column->addWidget(actionButton(actions.breathe, "breathe", "primary"));
   column->addSpacing(4);
   column->addWidget(heading(tr("Of this person")));

@@ -42,14 +42,15 @@ int decimalsOf(const OptionsModel::Row& row) {
 
 }  // namespace
 
-OptionsForm::OptionsForm(OptionsModel& model, std::vector<std::string> names, QWidget* parent)
+OptionsForm::OptionsForm(OptionsModel& model, std::vector<std::string> names, int labelWidth,
+                         QWidget* parent)
     : QWidget(parent), model_(model), names_(std::move(names)) {
   grid_ = new QGridLayout(this);
   grid_->setContentsMargins(0, 0, 0, 0);
   grid_->setHorizontalSpacing(6);
   grid_->setVerticalSpacing(5);
   grid_->setColumnStretch(1, 1);
-  grid_->setColumnMinimumWidth(0, FormLabelWidth);
+  grid_->setColumnMinimumWidth(0, labelWidth);
   for (const std::string& name : names_) {
     const auto row = model_.rowOf(name);
     if (!row.has_value()) continue;

@@ -12,6 +12,7 @@ class OptionsModel;
 
 /// Of the labels, so that several forms below each other line up.
 inline constexpr int FormLabelWidth = 110;
+inline constexpr int NarrowLabelWidth = 74;  ///< where all labels are short
 
 /// Editors for rows of an OptionsModel: a box for numbers, a list for choices, a tick for what is
 /// off or on; knows no option in particular. An editor is called "option_" + the option's name.
@@ -20,7 +21,8 @@ class OptionsForm : public QWidget {
 
  public:
   /// @param names of the options to show, in this order
-  OptionsForm(OptionsModel& model, std::vector<std::string> names, QWidget* parent = nullptr);
+  OptionsForm(OptionsModel& model, std::vector<std::string> names, int labelWidth = FormLabelWidth,
+              QWidget* parent = nullptr);
 
  private:
   void refresh();

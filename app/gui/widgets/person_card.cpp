@@ -3,6 +3,8 @@
 #include <QGridLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QToolButton>
+#include <tuple>
 
 #include "document/document.h"
 #include "document/text.h"
@@ -18,7 +20,7 @@ PersonCard::PersonCard(Document& document, QWidget* parent) : QWidget(parent), d
   grid->setHorizontalSpacing(6);
   grid->setVerticalSpacing(5);
   grid->setColumnStretch(1, 1);
-  grid->setColumnMinimumWidth(0, FormLabelWidth);
+  grid->setColumnMinimumWidth(0, NarrowLabelWidth);
   breath_ = addRow(
       *grid, tr("Breath"),
       tr("A table of seconds, pressure and volume of one breath, to which the equation of pressure "
@@ -26,7 +28,7 @@ PersonCard::PersonCard(Document& document, QWidget* parent) : QWidget(parent), d
       QStringLiteral("MeasuredBreath"),
       [this](const std::filesystem::path& path) { document_.openMeasuredBreath(path); },
       tr("Measured breaths (*.csv)"));
-  connect(breath_.forget, &QPushButton::clicked, this,
+  connect(breath_.forget, &QToolButton::clicked, this,
           [this] { document_.forgetMeasuredBreath(); });
   constants_ = addRow(
       *grid, tr("Constants"),
@@ -34,7 +36,7 @@ PersonCard::PersonCard(Document& document, QWidget* parent) : QWidget(parent), d
       QStringLiteral("Constants"),
       [this](const std::filesystem::path& path) { document_.openConstants(path); },
       tr("Fitted constants (*.json)"));
-  connect(constants_.forget, &QPushButton::clicked, this, [this] { document_.forgetConstants(); });
+  connect(constants_.forget, &QToolButton::clicked, this, [this] { document_.forgetConstants(); });
   follow();
 }
 
@@ -46,46 +48,52 @@ PersonCard::Row PersonCard::addRow(QGridLayout& grid, const QString& label, cons
   auto* name = new QLabel(label);
   name->setProperty("role", "dim");
   Row row;
-  row.value = new QLabel;
-  row.value->setObjectName(QStringLiteral("used") + suffix);
-  row.value->setAccessibleName(label);
-  row.value->setWordWrap(true);
-  row.open = new QPushButton(tr("Open..."));
+  row.open = new QPushButton;
   row.open->setObjectName(QStringLiteral("open") + suffix);
-  row.open->setToolTip(tip);
-  row.open->setProperty("role", "quiet");
+  row.open->setAccessibleName(label);
+  row.open->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+  name->setBuddy(row.open);
+  name->setToolTip(tip);
   connect(row.open, &QPushButton::clicked, this, [this, label, filter, read = std::move(read)] {
     askForFile(window(), label, {filter, tr("All files (*)")},
                [read](const QString& file) { read(std::filesystem::path(file.toStdString())); });
   });
-  row.forget = new QPushButton(tr("Give up"));
+  row.forget = new QToolButton;
+  row.forget->setText(QStringLiteral("\u00d7"));
   row.forget->setObjectName(QStringLiteral("forget") + suffix);
   row.forget->setToolTip(tr("Breathe as the scenario says again"));
+  row.forget->setAccessibleName(tr("Give up: %1").arg(label));
   row.forget->setProperty("role", "quiet");
   grid.addWidget(name, at, 0);
-  grid.addWidget(row.value, at, 1);
-  grid.addWidget(row.open, at, 2);
-  grid.addWidget(row.forget, at, 2);  // one of the two is there
+  grid.addWidget(row.open, at, 1);
+  grid.addWidget(row.forget, at, 2);
+  row.tip = tip;
   return row;
+}
+
+void PersonCard::show(const Row& row, const QString& used, const QString& about) {
+  constexpr int MostWidth = 68;  // beside the cross
+  const QString text = row.open->fontMetrics().elidedText(used, Qt::ElideMiddle, MostWidth);
+  row.open->setText(used.isEmpty() ? tr("Open...") : text);
+  row.open->setToolTip(used.isEmpty() ? row.tip : used + QLatin1Char('\n') + about);
+  row.forget->setVisible(!used.isEmpty());
 }
 
 void PersonCard::follow() {
   const BreatheOptions& options = document_.breatheOptions();
-  const QString none = tr("the scenario's");
-  breath_.value->setText(options.fit ? tr("%1 in %2")
-                                           .arg(withUnit(1000.0 * options.fit->tidal, 0, "mL"),
-                                                withUnit(options.fit->period, 2, "s"))
-                                     : none);
-  breath_.value->setToolTip(
-      options.fit
-          ? tr("Fitted to %1 % of the breath's volume").arg(100.0 * options.fit->rms, 0, 'f', 2)
-          : QString());
-  constants_.value->setText(options.person ? qtText(options.person->name) : none);
-  constants_.value->setToolTip(options.person ? qtText(basisOf(*options.person)) : QString());
-  for (const auto& [row, has] :
-       {std::pair{&breath_, options.fit != nullptr}, {&constants_, options.person != nullptr}}) {
-    row->open->setVisible(!has);
-    row->forget->setVisible(has);
+  const auto& [fit, person] = std::tie(options.fit, options.person);
+  if (fit) {
+    show(breath_, withUnit(1000.0 * fit->tidal, 0, "mL"),
+         tr("A breath of %1, fitted to %2 % of its volume")
+             .arg(withUnit(fit->period, 2, "s"))
+             .arg(100.0 * fit->rms, 0, 'f', 2));
+  } else {
+    show(breath_, {}, {});
+  }
+  if (person) {
+    show(constants_, qtText(person->name), qtText(basisOf(*person)));
+  } else {
+    show(constants_, {}, {});
   }
 }
 

@@ -6,8 +6,8 @@
 #include <functional>
 
 class QGridLayout;
-class QLabel;
 class QPushButton;
+class QToolButton;
 
 namespace pneuma {
 
@@ -26,14 +26,17 @@ class PersonCard : public QWidget {
 
  private:
   struct Row {
-    QLabel* value = nullptr;
-    QPushButton* open = nullptr;
-    QPushButton* forget = nullptr;
+    QPushButton* open = nullptr;  ///< says what is used
+    QToolButton* forget = nullptr;
+    QString tip;  ///< what can be opened
   };
 
-  /// @param suffix of object names: open<suffix>, <suffix>, forget<suffix>
+  /// @param suffix of object names: open<suffix>, forget<suffix>
   Row addRow(QGridLayout& grid, const QString& label, const QString& tip, const QString& suffix,
              std::function<void(const std::filesystem::path&)> read, const QString& filter);
+
+  /// @param used empty: nothing is
+  void show(const Row& row, const QString& used, const QString& about);
 
   Document& document_;
   Row breath_;

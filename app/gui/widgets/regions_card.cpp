@@ -67,7 +67,7 @@ RegionsCard::RegionsCard(RegionEditor& editor, QWidget* parent) : QWidget(parent
   grid->setHorizontalSpacing(6);
   grid->setVerticalSpacing(5);
   grid->setColumnStretch(1, 1);
-  grid->setColumnMinimumWidth(0, FormLabelWidth);
+  grid->setColumnMinimumWidth(0, NarrowLabelWidth);
   int row = 0;
   for (const auto& [text, box] : {std::pair{tr("Stiffness"), factor_}, {tr("Radius"), radius_}}) {
     auto* label = new QLabel(text);
