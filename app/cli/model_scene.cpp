@@ -1,19 +1,39 @@
 #include "cli/model_scene.h"
 
 #include <algorithm>
+#include <memory>
 
 namespace pneuma::cli {
+namespace {
+
+std::vector<Vec3> stillPoints(const TriangleMesh& mesh) {
+  return std::vector<Vec3>(mesh.points.size(), Vec3::Zero());
+}
+
+}  // namespace
 
 void showModel(Scene& scene, const LungModel& model, const std::vector<Lobe>& hidden) {
   std::vector<SceneSurface> surfaces;
+  auto still = std::make_shared<BreathingScene>();
   if (model.surfaces) {
     for (const LobeSurface& surface : *model.surfaces) {
+      if (surface.name == ChestWallName) {
+        still->shells.push_back(shellOf(BreathingScene::Shell::Of::ChestWall, Side::None,
+                                        *surface.mesh, stillPoints(*surface.mesh)));
+        continue;
+      }
       const bool hide = std::find(hidden.begin(), hidden.end(), surface.lobe) != hidden.end();
       surfaces.push_back({surface.lobe, surface.mesh, !hide});
     }
   }
+  if (!still->shells.empty()) {
+    for (const SceneSurface& surface : surfaces) {
+      still->surfaces.push_back({side(surface.lobe), stillPoints(*surface.mesh), {}});
+    }
+  }
   scene.setSurfaces(std::move(surfaces));
   scene.setTree(treeOf(model));
+  scene.setBreathing(still->shells.empty() ? nullptr : std::move(still));
 }
 
 }  // namespace pneuma::cli

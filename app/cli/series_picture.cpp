@@ -7,9 +7,11 @@
 #include <string>
 #include <utility>
 
+#include "cli/model_scene.h"
 #include "io/multiblock_file.h"
 #include "io/surface_file.h"
 #include "io/tree_file.h"
+#include "pipeline/breathe_files.h"
 #include "pipeline/lobe_parts.h"
 
 namespace pneuma::cli {
@@ -41,9 +43,11 @@ Series readSeries(const std::filesystem::path& pvd) {
   Series series;
   for (const TimedFile& file : readTimeCollection(pvd)) {
     if (series.moments.empty() || series.moments.back().seconds != file.seconds) {
-      series.moments.push_back({file.seconds, {}});
+      series.moments.push_back({file.seconds, {}, {}});
     }
-    series.moments.back().files.push_back(pvd.parent_path() / file.file);
+    SeriesMoment& moment = series.moments.back();
+    (file.part == ChestWallPart ? moment.chestWalls : moment.files)
+        .push_back(pvd.parent_path() / file.file);
   }
   const SeriesMoment& first = series.moments.front();
   const SeriesMoment& last = series.moments.back();
@@ -74,6 +78,10 @@ LungModel openMoment(const SeriesMoment& moment) {
                            std::make_shared<const TriangleMesh>(std::move(mesh)),
                            {}});
     }
+  }
+  for (const std::filesystem::path& path : moment.chestWalls) {
+    auto wall = std::make_shared<const TriangleMesh>(readSurface(path).mesh);
+    surfaces->push_back({Lobe::Whole, ChestWallName, std::move(wall), {}});
   }
   model.surfaces = std::move(surfaces);
   return model;

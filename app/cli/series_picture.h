@@ -14,6 +14,7 @@ namespace pneuma::cli {
 struct SeriesMoment {
   double seconds = 0.0;
   std::vector<std::filesystem::path> files;
+  std::vector<std::filesystem::path> chestWalls;  ///< around a lung with a pneumothorax
 };
 
 /// The moments of a breath. A collection ends with its first moment again, one period later, which

@@ -16,7 +16,6 @@ namespace fs = std::filesystem;
 
 constexpr int SurfacePart = 0;
 constexpr int TreePart = 1;
-constexpr int ChestWallPart = 2;
 
 std::string number(int frame) {
   std::array<char, 16> text{};

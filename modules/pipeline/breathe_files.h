@@ -7,6 +7,9 @@
 
 namespace pneuma {
 
+/// The part that a chest wall has in a collection.
+inline constexpr int ChestWallPart = 2;
+
 /// What writeBreath() writes for "breath.pvd": breath.csv, breath.json, breath.vtp.series and a VTP
 /// for every frame, beside it: breath_0000.vtp and, with a tree, breath_tree_0000.vtp, with a chest
 /// wall breath_chest_wall_0000.vtp.
