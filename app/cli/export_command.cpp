@@ -7,11 +7,12 @@
 #include "cli/command.h"
 #include "cli/conversion.h"
 #include "cli/files.h"
-#include "cli/project_export.h"
 #include "cli/text.h"
 #include "io/surface_file.h"
 #include "io/tree_file.h"
 #include "io/volume_file.h"
+#include "pipeline/case_export.h"
+#include "pipeline/case_parts.h"
 
 namespace pneuma::cli {
 namespace {
@@ -27,6 +28,7 @@ constexpr std::array<std::string_view, 7> choices(Format) {
 struct ExportArguments {
   std::vector<fs::path> inputs;
   std::vector<std::string> only;
+  std::optional<ExportPreset> preset;
   Format format = Format::Vtp;
   LengthUnit fromUnits = LengthUnit::Mm;
   LengthUnit units = LengthUnit::Mm;
@@ -49,7 +51,7 @@ struct Job {
   fs::path input;
   fs::path output;
   bool isTree = false;
-  std::optional<ProjectPart> part = {};
+  std::optional<CasePart> part = {};
 
   std::string stem() const { return part ? part->stem : input.stem().string(); }
 
@@ -88,7 +90,11 @@ std::vector<Job> inputs(const std::vector<fs::path>& paths, const Progress& prog
   for (const fs::path& path : paths) {
     std::error_code error;
     if (isProjectFileName(path)) {
-      for (ProjectPart& part : partsOfProject(path, progress)) {
+      std::vector<CasePart> parts = partsOf(readProject(path, progress).state);
+      if (parts.empty()) {
+        throw InputMissing("the project '" + path.string() + "' holds nothing to export yet");
+      }
+      for (CasePart& part : parts) {
         const bool isTree = part.tree != nullptr;
         result.push_back({path, {}, isTree, std::move(part)});
       }
@@ -216,8 +222,53 @@ std::vector<std::string> run(const Job& job, const ExportArguments& arguments,
   return std::move(file.notes);
 }
 
+ExportPreset presetOf(const std::string& text) {
+  constexpr auto names = choices(ExportPreset{});
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (names[i] == text) return static_cast<ExportPreset>(i);
+  }
+  const std::string_view nearest = nearestWord(text, {names.begin(), names.end()});
+  throw InvalidOption("--preset knows " + joinedChoices(names) + ", but '" + text + "' was given" +
+                      (nearest.empty() ? "" : "; did you mean '" + std::string(nearest) + "'?"));
+}
+
+/// @throws InvalidOption for what a preset decides itself
+void requirePresetAlone(const ExportArguments& arguments) {
+  const ExportArguments defaults;
+  std::string_view other;
+  if (!arguments.only.empty()) other = "--only";
+  if (arguments.format != defaults.format) other = "--format";
+  if (arguments.fromUnits != defaults.fromUnits) other = "--from-units";
+  if (arguments.units != defaults.units) other = "--units";
+  if (arguments.frame != defaults.frame) other = "--frame";
+  if (other.empty()) return;
+  throw InvalidOption("--preset decides what is written and how; leave out " + std::string(other));
+}
+
+ExitCode runPreset(const ExportArguments& arguments, const CommonOptions& common,
+                   const Progress& progress) {
+  requirePresetAlone(arguments);
+  requireFolderOutput(common.output);
+  const Project project = openCase(arguments.inputs, progress.part(0.0, 0.5, "reading"));
+  const std::vector<fs::path> files = presetOutputs(*arguments.preset, project.state);
+  for (const fs::path& file : files) {
+    std::error_code error;
+    if (fs::exists(common.output / file, error)) {
+      requireOutput(common.output / file, common.existing());
+      requireOtherThanInputs(common.output / file, arguments.inputs);
+    }
+  }
+  writePreset(common.output, *arguments.preset, project.state, common.existing(),
+              progress.part(0.5, 1.0, "exporting"));
+  if (common.quiet) return ExitCode::Done;
+  printWarnings(project.notes);
+  for (const fs::path& file : files) std::cout << (common.output / file).string() << "\n";
+  return ExitCode::Done;
+}
+
 ExitCode runExport(const ExportArguments& arguments, const CommonOptions& common,
                    const Progress& progress) {
+  if (arguments.preset) return runPreset(arguments, common, progress);
   const std::vector<Lobe> only = parsedLobes(arguments.only);
   const std::vector<Job> all =
       jobs(arguments, only, common.output, progress.part(0.0, 0.5, "reading"));
@@ -248,11 +299,19 @@ Run declareExport(CLI::App& app, CommonOptions& common) {
   const auto arguments = std::make_shared<ExportArguments>();
   addFiles(app, "INPUTS", arguments->inputs, "Surfaces, trees, folders of surfaces, or projects.")
       ->required();
-  addOutput(app, common, "FILE",
-            "The output: a file for one input, its format by the extension; a folder for several.")
+  addOutput(
+      app, common, "FILE",
+      "The output: a file for one input, its format by the extension; a folder for several, or for "
+      "a preset.")
       ->required();
   addRepeatable(app, "--only", arguments->only, "LOBES",
                 "Only these lobes, for example RUL,LLL: files by their names, trees by branches.");
+  app.add_option_function<std::string>(
+         "--preset", [arguments](const std::string& text) { arguments->preset = presetOf(text); },
+         "What it is for: paraview (VTP with a .vtm for all of it, the breath as .pvd), print (STL "
+         "of every lobe, mm), segmentation (labels with lobes as NIfTI), tree (VTP, SWC, CSV and "
+         "JSON). OUT is a folder, written whole or not at all.")
+      ->type_name(choiceType(choices(ExportPreset{})));
   addFields(app, *arguments);
   return [arguments, &common](const Progress& progress) {
     return runExport(*arguments, common, progress);

@@ -3,13 +3,12 @@
 
 #include "cli/command.h"
 #include "cli/files.h"
-#include "cli/model_scene.h"
 #include "cli/picture_arguments.h"
 #include "cli/text.h"
-#include "pipeline/case_page.h"
-#include "pipeline/case_pdf.h"
+#include "pipeline/case_document.h"
+#include "pipeline/case_parts.h"
 #include "pipeline/case_report.h"
-#include "render/picture.h"
+#include "render/four_sides.h"
 
 namespace pneuma::cli {
 namespace {
@@ -19,33 +18,17 @@ struct ReportArguments {
   CaseReportOptions options;
 };
 
-Project opened(const std::vector<std::filesystem::path>& inputs, const Progress& progress) {
-  if (inputs.size() == 1 && isProjectFileName(inputs.front())) {
-    return readProject(inputs.front(), progress);
-  }
-  Project project;
-  project.state.name = inputs.front().filename().string();
-  project.state.model = openFiles(inputs, progress);
-  return project;
-}
-
 /// The lungs from four sides, on white as paper is.
 std::vector<PagePicture> picturesOf(const LungModel& model, const Progress& progress) {
-  if (!model.surfaces && !treeOf(model)) return {};
-  Scene scene;
-  SceneOptions options;
-  options.background = Background::White;
-  options.legend = false;
-  scene.setOptions(options);
-  showModel(scene, model);
+  std::vector<SceneSurface> surfaces;
+  if (model.surfaces) {
+    for (const LobeSurface& surface : *model.surfaces) {
+      surfaces.push_back({surface.lobe, surface.mesh});
+    }
+  }
   std::vector<PagePicture> pictures;
-  for (const auto& [view, caption] : {std::pair{"anterior", "From the front"},
-                                      {"left", "From the left"},
-                                      {"posterior", "From behind"},
-                                      {"right", "From the right"}}) {
-    scene.look(viewDirection(view));
-    pictures.push_back({caption, pngText(renderPicture(scene, 480, 480))});
-    progress.report(static_cast<double>(pictures.size()) / 4.0);
+  for (const SideView& view : fourSides(surfaces, treeOf(model), progress)) {
+    pictures.push_back({view.caption, pngText(view.picture)});
   }
   return pictures;
 }
@@ -63,22 +46,17 @@ std::string failures(const Json& report) {
 
 ExitCode runReport(const ReportArguments& arguments, const CommonOptions& common,
                    const Progress& progress) {
-  const std::filesystem::path kind = common.output.extension();
-  if (kind != ".html" && kind != ".json" && kind != ".pdf") {
-    throw Unsupported("reports are written as .html, .pdf and .json; '" + common.output.string() +
-                      "' ends otherwise");
-  }
+  requireCaseDocumentName(common.output);
   requireOutput(common.output, common.existing());
   requireOtherThanInputs(common.output, arguments.inputs);
-  if (kind != ".json") requireDisplay();
-  const Project project = opened(arguments.inputs, progress.part(0.0, 0.3, "reading"));
+  if (hasPictures(common.output)) requireDisplay();
+  const Project project = openCase(arguments.inputs, progress.part(0.0, 0.3, "reading"));
   const Json report = caseReport(project, arguments.options, progress.part(0.3, 0.8, "measuring"));
-  const auto pictures = [&] {
-    return picturesOf(project.state.model, progress.part(0.8, 1.0, "drawing"));
-  };
-  const std::string text = kind == ".json"  ? jsonText(report)
-                           : kind == ".pdf" ? casePdf(report, pictures())
-                                            : casePage(report, pictures());
+  std::vector<PagePicture> pictures;
+  if (hasPictures(common.output)) {
+    pictures = picturesOf(project.state.model, progress.part(0.8, 1.0, "drawing"));
+  }
+  const std::string text = caseDocument(common.output, report, pictures);
   OutputSet outputs;
   outputs.add(common.output);
   writeFile(common.output, text, common.existing());

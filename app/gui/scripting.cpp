@@ -4,6 +4,7 @@
 #include <QAbstractSlider>
 #include <QAction>
 #include <QApplication>
+#include <QClipboard>
 #include <QComboBox>
 #include <QDir>
 #include <QDoubleSpinBox>
@@ -148,6 +149,8 @@ void ScriptPlayer::perform(const QJsonObject& step) {
     window_.resize(step[QStringLiteral("width")].toInt(), step[QStringLiteral("height")].toInt());
   } else if (what == QLatin1String("screenshot")) {
     screenshot(step[QStringLiteral("file")].toString());
+  } else if (what == QLatin1String("save-clipboard")) {
+    saveClipboard(step[QStringLiteral("file")].toString());
   } else if (what == QLatin1String("expect")) {
     expect(step);
   } else {
@@ -299,6 +302,15 @@ void ScriptPlayer::screenshot(const QString& name) const {
   if (!shot.save(path)) fail(QStringLiteral("the screenshot cannot be written"));
 }
 
+void ScriptPlayer::saveClipboard(const QString& name) const {
+  QDir().mkpath(outFolder_);
+  QFile file(QDir(outFolder_).filePath(name));
+  const QByteArray text = QApplication::clipboard()->text().toUtf8();
+  if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size()) {
+    fail(QStringLiteral("the clipboard's text cannot be written"));
+  }
+}
+
 QVariant ScriptPlayer::observed(const QJsonObject& step) const {
   const QString state = step[QStringLiteral("state")].toString();
   if (state.isEmpty()) {
@@ -319,6 +331,7 @@ QVariant ScriptPlayer::observed(const QJsonObject& step) const {
     const auto& surfaces = document.model().surfaces;
     return static_cast<int>(surfaces ? surfaces->size() : 0);
   }
+  if (state == QLatin1String("clipboard")) return QApplication::clipboard()->text();
   if (state == QLatin1String("modified")) return document.modified();
   if (state == QLatin1String("project")) {
     return QString::fromStdString(document.projectPath().filename().string());

@@ -22,8 +22,8 @@ class ScriptError : public std::runtime_error {
 ///   open {paths}, click {name}, trigger {name}, set {name, value}, key {name, keys}, wait
 ///   {seconds}, pause {seconds}, click-branch {index}, click-point {name, point: [x, y, z]},
 ///   drag-point {name, from, to}, drag-mark {index, by: [right, down]}, wheel {name, notches},
-///   resize {width, height}, screenshot {file}, expect {name, property | state, equals | contains |
-///   above | below}, wait-until {the same, seconds}
+///   resize {width, height}, screenshot {file}, save-clipboard {file}, expect {name, property |
+///   state, equals | contains | above | below}, wait-until {the same, seconds}
 /// `name` is a widget's or action's object name. ${NAME} in a text is an environment variable,
 /// ${OUT} the folder of the screenshots.
 class ScriptPlayer {
@@ -45,6 +45,7 @@ class ScriptPlayer {
   void turnWheel(const QString& name, int notches) const;
   void clickBranch(int index) const;
   void screenshot(const QString& name) const;
+  void saveClipboard(const QString& name) const;
   void wait(double seconds) const;
   void waitUntil(const QJsonObject& step, double seconds) const;
   void press(const QJsonObject& step) const;

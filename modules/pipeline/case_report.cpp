@@ -1,5 +1,6 @@
 #include "pipeline/case_report.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -95,6 +96,20 @@ Json breathOf(const Json& report) {
   return breath;
 }
 
+/// The regions of what a tree was grown in, whether the model comes from a file, which does not
+/// keep them, or from the growth itself.
+LungModel withGrownRegions(LungModel model) {
+  if (!model.surfaces) return model;  // a built-in organ has its own
+  const bool fit = std::ranges::all_of(
+      *model.surfaces, [](const LobeSurface& surface) { return surface.health.fitToGrow(); });
+  if (!model.growth || !fit) {
+    model.regions = nullptr;
+  } else if (!model.regions) {
+    model.regions = readyToGrow(model).regions;
+  }
+  return model;
+}
+
 /// The files that it was made from, as far as their hashes are known.
 std::vector<InputFile> inputsOf(const LungModel& model) {
   std::vector<InputFile> inputs = model.inputs;
@@ -118,8 +133,9 @@ std::string without(std::string text, const std::string& name, const std::string
   return text;
 }
 
-/// Hashes say which files it was without telling whose.
-void hideNames(Json& report) {
+}  // namespace
+
+void hideFileNames(Json& report) {
   std::size_t number = 0;
   for (Json& input : report["inputs"]) {
     const std::filesystem::path path = input.at("path").get<std::string>();
@@ -128,12 +144,9 @@ void hideNames(Json& report) {
       warning = without(without(warning.get<std::string>(), path.string(), instead),
                         path.filename().string(), instead);
     }
-    input.erase("path");
+    input["path"] = instead;
   }
-  report["case"] = Json();
 }
-
-}  // namespace
 
 Json caseReport(const Project& project, const CaseReportOptions& options,
                 const Progress& progress) {
@@ -170,8 +183,8 @@ Json caseReport(const Project& project, const CaseReportOptions& options,
     checks.add("lobes", lobesReport(model, *model.lobes, state.splitEdits.options).at("checks"));
   }
   if (tree) {
-    const TreeMeasurement measured =
-        measureTree(*tree, model, options.seed, progress.part(0.0, 0.6, "measuring"));
+    const TreeMeasurement measured = measureTree(*tree, withGrownRegions(model), options.seed,
+                                                 progress.part(0.0, 0.6, "measuring"));
     const Json json = toJson(measured);
     report["airways"] = {{"branches", json.at("branches")},
                          {"terminals", json.at("terminals")},
@@ -191,7 +204,11 @@ Json caseReport(const Project& project, const CaseReportOptions& options,
   const CaseMethods methods = methodsOf(state);
   report["methods"] = methods.paragraph;
   report["references"] = methods.references;
-  if (!options.identify) hideNames(report);
+  if (!options.identify) {
+    hideFileNames(report);
+    for (Json& input : report["inputs"]) input.erase("path");
+    report["case"] = Json();
+  }
   progress.report(1.0);
   return report;
 }

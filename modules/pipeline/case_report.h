@@ -13,6 +13,10 @@ struct CaseReportOptions {
   std::uint64_t seed = 1;  ///< of the random points that the airways' gap is measured with
 };
 
+/// Numbers the files of a report, so that hashes say which they were without telling whose: "file
+/// 1" in place of their paths, and of their names in warnings.
+void hideFileNames(Json& report);
+
 /// Everything that is known of a person's lungs on one page ("pneuma/case/1",
 /// resources/schemas/case.schema.json): volumes, checks with their limits, the airways' morphometry
 /// beside published bands, the breath, what was done as a paragraph for a paper with its

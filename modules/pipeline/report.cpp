@@ -104,6 +104,7 @@ Json growthReport(const LungModel& model, const Morphometry& whole,
 }
 
 std::map<std::string, std::string> treeMetadata(const LungModel& model) {
+  if (!model.growth) return {{"version", versionText()}};
   const Growth& growth = *model.growth;
   return {{"method", std::string(growthMethod(growth.options).name)},
           {"options", optionsJson(growth.options).dump()},

@@ -28,7 +28,8 @@ Json growthReport(const LungModel& model, const Morphometry& whole,
                   const std::map<Lobe, Morphometry>& byLobe, double measureSeconds,
                   double writeSeconds);
 
-/// Field data of a tree file: method, options, seed, version, frame, units.
+/// Field data of a tree file: method, options, seed, version; of one that was not grown the version
+/// alone.
 std::map<std::string, std::string> treeMetadata(const LungModel& model);
 
 }  // namespace pneuma

@@ -52,6 +52,28 @@ for file in rul.stl rml.stl rll.stl lul.stl lll.stl right.stl left.stl tree.vtp 
   fissures.json; do
   expect "no parts/$file" test -s "parts/$file"
 done
+succeeds "for ParaView" export case.pneuma --preset paraview -o paraview
+prints 'paraview/case.vtm'
+for file in case.vtm rul.vtp right.vtp tree.vtp central.vtp fissures/right-oblique.vtp; do
+  expect "no paraview/$file" test -s "paraview/$file"
+done
+expect "the collection names a file that is not there" \
+  test -z "$(grep -o 'file="[^"]*"' paraview/case.vtm | cut -d'"' -f2 | (cd paraview && xargs ls 2>&1 >"$logs/none"))"
+succeeds "for a printer" export case.pneuma --preset print -o print -q
+expect "not five surfaces" test "$(ls print | tr '\n' ' ')" = "lll.stl lul.stl rll.stl rml.stl rul.stl "
+expect "other surfaces" cmp print/rul.stl parts/rul.stl
+succeeds "as labels" export case.pneuma --preset segmentation -o labels -q
+succeeds "labels have lobes" compare labels/labels.nii.gz labels/labels.nii.gz
+prints "^RML +[1-9]"
+succeeds "as a tree" export case.pneuma --preset tree -o tree4 -q
+expect "not four files" test "$(ls tree4 | tr '\n' ' ')" = "tree.csv tree.json tree.swc tree.vtp "
+refuses "over files that are there" 6 '--force' export case.pneuma --preset tree -o tree4
+succeeds "over them all the same" export case.pneuma --preset tree -o tree4 -f -q
+refuses "no such preset" 2 "did you mean 'print'" export case.pneuma --preset prin -o other
+refuses "a preset in a format" 2 'leave out --format' export case.pneuma --preset print --format ply -o other
+refuses "nothing to label" 4 'no labels' export parts/rul.stl --preset segmentation -o other
+refuses "no airways" 4 'no airways' export parts/rul.stl --preset tree -o other
+refuses "a folder without a parent" 6 'folder' export case.pneuma --preset tree -o no/such
 succeeds "one lobe" export case.pneuma --only RML -o rml.ply -q
 expect "no rml.ply" test -s rml.ply
 succeeds "its tree" export case.pneuma -o tree.swc -q

@@ -14,6 +14,8 @@
 #include "document/snapshot.h"
 #include "growth/growth.h"
 #include "pipeline/breathe.h"
+#include "pipeline/case_export.h"
+#include "pipeline/case_report.h"
 #include "pipeline/project.h"
 
 namespace pneuma {
@@ -163,6 +165,17 @@ class Document : public QObject {
 
   /// Writes the tree as VTP, SWC, CSV or JSON by the extension.
   void saveTree(const std::filesystem::path& path);
+
+  /// Writes what a preset makes of the case into a folder, as `pneuma export --preset` does: all of
+  /// it or nothing. Files that are there are replaced: ask before.
+  void exportCase(ExportPreset preset, const std::filesystem::path& folder);
+
+  /// Those files of a preset that are in a folder already.
+  std::vector<std::filesystem::path> filesInTheWay(ExportPreset preset,
+                                                   const std::filesystem::path& folder) const;
+
+  /// Writes the report of the case as PDF, HTML or JSON by the extension, as `pneuma report` does.
+  void saveReport(const std::filesystem::path& path, const CaseReportOptions& options);
 
   /// Writes a file that is ready, for example a picture.
   void saveFile(const std::filesystem::path& path, std::string content);

@@ -84,6 +84,9 @@ Actions makeActions(QWidget* window) {
   a.saveTree = action(window, "actionSaveTree", tr("Save &tree..."), {keys("Ctrl+E")}, "save");
   a.savePicture =
       action(window, "actionSavePicture", tr("Save &picture..."), {keys("F12")}, "camera");
+  a.exportCase = action(window, "actionExportCase", tr("E&xport..."), {keys("Ctrl+Shift+E")});
+  a.copyCommand =
+      action(window, "actionCopyCommand", tr("Copy as co&mmand"), {keys("Ctrl+Shift+C")});
   a.quit = action(window, "actionQuit", tr("&Quit"), {keys("Ctrl+Q")});
   a.undo = action(window, "actionUndo", tr("&Undo"), {keys("Ctrl+Z")});
   a.redo = action(window, "actionRedo", tr("&Redo"), {keys("Ctrl+Shift+Z"), keys("Ctrl+Y")});
@@ -131,11 +134,13 @@ void fillMenus(QMenuBar& bar, const Actions& a) {
   file->addSeparator();
   file->addActions({a.openFissures, a.saveFissures});
   file->addSeparator();
-  file->addActions({a.saveTree, a.saveBreath, a.savePicture});
+  file->addActions({a.exportCase, a.saveTree, a.saveBreath, a.savePicture});
   file->addSeparator();
   file->addAction(a.quit);
   QMenu* edit = bar.addMenu(QObject::tr("&Edit"));
   edit->addActions({a.undo, a.redo});
+  edit->addSeparator();
+  edit->addAction(a.copyCommand);
   edit->addSeparator();
   edit->addActions({a.placePoints, a.snap, a.review, a.looksRight, a.editHere, a.acceptFissures});
   edit->addSeparator();

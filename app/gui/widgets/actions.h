@@ -29,6 +29,8 @@ struct Actions {
   std::vector<QAction*> recents;  ///< projects of late, each one's path its data(); hidden: none
   QAction* saveTree = nullptr;
   QAction* savePicture = nullptr;
+  QAction* exportCase = nullptr;
+  QAction* copyCommand = nullptr;  ///< of the step that is shown
   QAction* quit = nullptr;
   QAction* undo = nullptr;
   QAction* redo = nullptr;

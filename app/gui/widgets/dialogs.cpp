@@ -75,6 +75,31 @@ void askForFolder(QWidget* parent, std::function<void(const QString&)> chosen) {
   dialog->open();
 }
 
+void askForExportFolder(QWidget* parent, std::function<void(const QString&)> chosen) {
+  auto* dialog = fileDialog(parent, QObject::tr("The folder to export into"), "exportDialog");
+  dialog->setFileMode(QFileDialog::Directory);
+  dialog->setOption(QFileDialog::ShowDirsOnly);
+  dialog->setLabelText(QFileDialog::Accept, QObject::tr("Export"));
+  QObject::connect(dialog, &QFileDialog::fileSelected, parent, std::move(chosen));
+  dialog->open();
+}
+
+void askBeforeReplacing(QWidget* parent, const QString& folder, const QStringList& files,
+                        std::function<void()> replace) {
+  constexpr int Named = 6;
+  QStringList named = files.mid(0, Named);
+  if (files.size() > Named) named << QObject::tr("and %1 more").arg(files.size() - Named);
+  QMessageBox* box =
+      questionBox(parent, QObject::tr("These files are in %1 already.").arg(folder),
+                  QObject::tr("%1\n\nReplace them?").arg(named.join(QLatin1Char('\n'))));
+  box->setObjectName(QStringLiteral("replaceQuestion"));
+  addAnswer(box, QMessageBox::Yes, "replaceFiles", std::move(replace));
+  addAnswer(box, QMessageBox::Cancel, "replaceCancel", {});
+  box->button(QMessageBox::Yes)->setText(QObject::tr("Replace"));
+  box->setDefaultButton(QMessageBox::Cancel);
+  box->open();
+}
+
 void askWhereToSave(QWidget* parent, const QString& title, const QString& filters,
                     const QString& suffix, std::function<void(const QString&)> chosen) {
   auto* dialog = fileDialog(parent, title, "saveDialog");
@@ -82,6 +107,10 @@ void askWhereToSave(QWidget* parent, const QString& title, const QString& filter
   dialog->setFileMode(QFileDialog::AnyFile);
   dialog->setNameFilters(filters.split(QStringLiteral(";;")));
   dialog->setDefaultSuffix(suffix);
+  QObject::connect(dialog, &QFileDialog::filterSelected, dialog, [dialog](const QString& filter) {
+    const int dot = filter.lastIndexOf(QLatin1String("*.")) + 2;
+    dialog->setDefaultSuffix(filter.mid(dot, filter.lastIndexOf(QLatin1Char(')')) - dot));
+  });
   QObject::connect(dialog, &QFileDialog::fileSelected, parent, std::move(chosen));
   dialog->open();
 }

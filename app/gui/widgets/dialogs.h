@@ -17,6 +17,14 @@ void askForFile(QWidget* parent, const QString& title, const QStringList& filter
 
 void askForFolder(QWidget* parent, std::function<void(const QString&)> chosen);
 
+/// A folder that is there, or is made in the dialog, to export into.
+void askForExportFolder(QWidget* parent, std::function<void(const QString&)> chosen);
+
+/// Asks before files of a folder are replaced; "Cancel" calls nothing.
+/// @param files relative to the folder
+void askBeforeReplacing(QWidget* parent, const QString& folder, const QStringList& files,
+                        std::function<void()> replace);
+
 /// @param filters one, or some between ";;"
 /// @param suffix without the dot, put behind a name that has none
 void askWhereToSave(QWidget* parent, const QString& title, const QString& filters,

@@ -1,15 +1,20 @@
 #include "widgets/export_panel.h"
 
 #include <QButtonGroup>
+#include <QCheckBox>
+#include <QFrame>
+#include <QHBoxLayout>
 #include <QLabel>
+#include <QPushButton>
 #include <QRadioButton>
 #include <QVBoxLayout>
 #include <QVariant>
-#include <array>
 
+#include "document/document.h"
 #include "widgets/action_button.h"
 #include "widgets/actions.h"
 #include "widgets/heading.h"
+#include "widgets/scrolled.h"
 
 namespace pneuma {
 
@@ -28,44 +33,115 @@ constexpr std::array<Format, 4> Formats = {{
     {"json", "JSON", QT_TR_NOOP("Everything, as text.")},
 }};
 
+constexpr int UnderTheButton = 22;  ///< where the text of a radio button begins
+
+QLabel* dimLabel(int indent) {
+  auto* label = new QLabel;
+  label->setProperty("role", "dim");
+  label->setWordWrap(true);
+  label->setContentsMargins(indent, 0, 0, 3);
+  return label;
+}
+
 }  // namespace
 
-ExportPanel::ExportPanel(const Actions& actions, QWidget* parent) : QWidget(parent) {
-  auto* column = new QVBoxLayout(this);
+ExportPanel::ExportPanel(Document& document, const Actions& actions, QWidget* parent)
+    : QWidget(parent), document_(document), rows_(exportRows(document.snapshot())) {
+  auto* content = new QWidget;
+  auto* column = new QVBoxLayout(content);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(4);
+  column->addWidget(heading(tr("Export for")));
+  column->addWidget(makeKinds());
+  identify_ = new QCheckBox(tr("Name the case and its files"));
+  identify_->setObjectName(QStringLiteral("identify"));
+  identify_->setToolTip(tr("The report tells whose lungs they are; without it, hashes alone"));
+  column->addWidget(identify_);
+  column->addWidget(actionButton(actions.exportCase, "exportCase", "primary"));
+  column->addSpacing(10);
+  column->addWidget(heading(tr("Airway tree alone")));
+  column->addWidget(makeFormats());
+  keeps_ = dimLabel(0);
+  keeps_->setObjectName(QStringLiteral("formatKeeps"));
+  column->addWidget(keeps_);
+  column->addWidget(actionButton(actions.saveTree, "saveTree"));
+  column->addSpacing(10);
   column->addWidget(heading(tr("Project")));
-  column->addSpacing(4);
-  auto* everything = new QLabel(tr("Everything in one file, to go on with it another day."));
-  everything->setProperty("role", "dim");
-  everything->setWordWrap(true);
+  QLabel* everything = dimLabel(0);
+  everything->setText(tr("Everything in one file, to go on with it another day."));
   column->addWidget(everything);
-  column->addSpacing(4);
   column->addWidget(actionButton(actions.saveProject, "saveProject"));
-  column->addSpacing(14);
-  column->addWidget(heading(tr("Airway tree")));
+  column->addStretch();
+  fillScrolling(this, content);
+
+  connect(kinds_, &QButtonGroup::idClicked, this, [this] {
+    identify_->setVisible(kind() == ExportKind::Report);
+    emit kindChanged();
+  });
+  connect(&document_, &Document::changed, this, &ExportPanel::follow);
+  connect(formats_, &QButtonGroup::idClicked, this, &ExportPanel::showKeeps);
+  identify_->hide();
+  follow();
+  showKeeps();
+}
+
+QWidget* ExportPanel::makeKinds() {
+  auto* list = new QWidget;
+  auto* column = new QVBoxLayout(list);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  kinds_ = new QButtonGroup(this);
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    auto* radio = new QRadioButton(rows_[i].title);
+    radio->setObjectName(QStringLiteral("export_") + QString::fromUtf8(rows_[i].name));
+    radio->setChecked(i == 0);
+    kinds_->addButton(radio, static_cast<int>(i));
+    notes_[i] = dimLabel(UnderTheButton);
+    notes_[i]->setObjectName(QStringLiteral("exportNote_") + QString::fromUtf8(rows_[i].name));
+    column->addWidget(radio);
+    column->addWidget(notes_[i]);
+  }
+  return list;
+}
+
+QWidget* ExportPanel::makeFormats() {
+  auto* frame = new QFrame;
+  frame->setProperty("role", "segmented");
+  auto* row = new QHBoxLayout(frame);
+  row->setContentsMargins(2, 2, 2, 2);
+  row->setSpacing(1);
   formats_ = new QButtonGroup(this);
   for (std::size_t i = 0; i < Formats.size(); ++i) {
-    auto* radio = new QRadioButton(QString::fromUtf8(Formats[i].name));
-    radio->setObjectName(QStringLiteral("format_") + QString::fromUtf8(Formats[i].extension));
-    radio->setAccessibleDescription(tr(Formats[i].keeps));
-    radio->setChecked(i == 0);
-    formats_->addButton(radio, static_cast<int>(i));
-    auto* keeps = new QLabel(tr(Formats[i].keeps));
-    keeps->setProperty("role", "dim");
-    keeps->setWordWrap(true);
-    keeps->setContentsMargins(24, 0, 0, 4);
-    column->addWidget(radio);
-    column->addWidget(keeps);
+    auto* button = new QPushButton(QString::fromUtf8(Formats[i].name));
+    button->setObjectName(QStringLiteral("format_") + QString::fromUtf8(Formats[i].extension));
+    button->setAccessibleDescription(tr(Formats[i].keeps));
+    button->setCheckable(true);
+    button->setChecked(i == 0);
+    formats_->addButton(button, static_cast<int>(i));
+    row->addWidget(button);
   }
-  column->addSpacing(6);
-  column->addWidget(actionButton(actions.saveTree, "saveTree", "primary"));
-  column->addSpacing(14);
-  column->addWidget(heading(tr("Picture")));
-  column->addSpacing(4);
-  column->addWidget(actionButton(actions.savePicture, "savePicture"));
-  column->addStretch();
+  return frame;
 }
+
+void ExportPanel::follow() {
+  rows_ = exportRows(document_.snapshot());
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    const bool there = rows_[i].lack.isEmpty();
+    QAbstractButton* radio = kinds_->button(static_cast<int>(i));
+    radio->setEnabled(there);
+    notes_[i]->setText(there ? rows_[i].keeps : rows_[i].lack);
+    radio->setAccessibleDescription(notes_[i]->text());
+  }
+  emit kindChanged();
+}
+
+void ExportPanel::showKeeps() {
+  keeps_->setText(tr(Formats[static_cast<std::size_t>(formats_->checkedId())].keeps));
+}
+
+ExportKind ExportPanel::kind() const { return static_cast<ExportKind>(kinds_->checkedId()); }
+
+bool ExportPanel::identify() const { return identify_->isChecked(); }
 
 QString ExportPanel::format() const {
   return QString::fromUtf8(Formats[static_cast<std::size_t>(formats_->checkedId())].extension);

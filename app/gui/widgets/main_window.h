@@ -30,6 +30,7 @@ class BreathChart;
 class CtViews;
 class ErrorCard;
 class ExportPanel;
+struct ShellCommand;
 class FissureViews;
 class GenerationChart;
 class LungsPanel;
@@ -97,6 +98,7 @@ class MainWindow : public QMainWindow {
   void connectView();
   void connectFissures();
   void connectBreathing();
+  void connectExport();
 
   void goTo(Step step);
   /// Shows the step for lungs where there may be a CT, and numbers the steps.
@@ -140,6 +142,11 @@ class MainWindow : public QMainWindow {
   void openFissures();
   void saveFissures();
   void savePicture();
+  void exportCase();
+  /// What does the step that is shown, with what is set now.
+  ShellCommand commandNow() const;
+  void copyCommand();
+  void updateExportActions();
 
   Document document_;
   StructureModel structures_;

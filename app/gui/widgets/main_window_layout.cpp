@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "widgets/action_button.h"
 #include "widgets/breath_bar.h"
 #include "widgets/breath_chart.h"
 #include "widgets/breathing_panel.h"
@@ -131,7 +132,7 @@ QWidget* MainWindow::makeRail() {
   new StepHeights(this, {steps_.begin(), steps_.end()});
   column->addSpacing(10);
   openPanel_ = new OpenPanel(actions_);
-  exportPanel_ = new ExportPanel(actions_);
+  exportPanel_ = new ExportPanel(document_, actions_);
   panels_->addWidget(openPanel_);
   lungsPanel_ = new LungsPanel(document_, sliceViews_, actions_);
   panels_->addWidget(lungsPanel_);
@@ -140,6 +141,7 @@ QWidget* MainWindow::makeRail() {
   panels_->addWidget(new BreathingPanel(document_, regions_, actions_));
   panels_->addWidget(exportPanel_);
   column->addWidget(panels_, 1);
+  column->addWidget(actionButton(actions_.copyCommand, "copyCommand", "quiet"));
   return rail;
 }
 
@@ -231,6 +233,7 @@ MainWindow::MainWindow() : actions_(makeActions(this)) {
   connectFissures();
   connectBreathing();
   connectProject();
+  connectExport();
   goTo(OpenStep);
   showSnapshot();
   status_->say(tr("Ready"));

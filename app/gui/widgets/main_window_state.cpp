@@ -33,6 +33,7 @@ void MainWindow::updateActions() {
   const bool whole = document_.canSplit();
   updateFissureActions();
   updateBreathingActions();
+  updateExportActions();
   actions_.splitLobes->setEnabled(whole && !busy);
   actions_.splitLobes->setToolTip(busy    ? wait
                                   : whole ? tr("Split the lungs into lobes along the fissures")

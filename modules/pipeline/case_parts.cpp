@@ -1,17 +1,17 @@
-#include "cli/project_export.h"
+#include "pipeline/case_parts.h"
 
 #include <algorithm>
 #include <cctype>
+#include <string_view>
 
-#include "core/error.h"
 #include "io/fissure_file.h"
 #include "io/surface_file.h"
 #include "io/volume_file.h"
 
-namespace pneuma::cli {
+namespace pneuma {
 namespace {
 
-std::string lowered(std::string_view text) {
+std::string inSmallLetters(std::string_view text) {
   std::string lower(text);
   std::ranges::transform(lower, lower.begin(),
                          [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
@@ -30,16 +30,14 @@ void writeGiven(const std::filesystem::path& file, GivenFissures given) {
 
 }  // namespace
 
-std::vector<ProjectPart> partsOfProject(const std::filesystem::path& path,
-                                        const Progress& progress) {
-  const Project project = readProject(path, progress);
-  const LungModel& model = project.state.model;
-  std::vector<ProjectPart> parts;
+std::vector<CasePart> partsOf(const ProjectState& state) {
+  const LungModel& model = state.model;
+  std::vector<CasePart> parts;
   for (const auto& surfaces : {model.surfaces, model.wholeLungs}) {
     if (!surfaces) continue;
     for (const LobeSurface& surface : *surfaces) {
-      const std::string stem = lowered(shortName(surface.lobe));
-      if (std::ranges::find(parts, stem, &ProjectPart::stem) != parts.end()) continue;
+      const std::string stem = inSmallLetters(shortName(surface.lobe));
+      if (std::ranges::find(parts, stem, &CasePart::stem) != parts.end()) continue;
       parts.push_back({stem, surface.mesh, nullptr, {}, {}});
     }
   }
@@ -52,14 +50,21 @@ std::vector<ProjectPart> partsOfProject(const std::filesystem::path& path,
                        writeVolume(file, *labels);
                      }});
   }
-  if (const GivenFissures given = givenOf(project.state.lobeEdits); !given.empty()) {
+  if (const GivenFissures given = givenOf(state.lobeEdits); !given.empty()) {
     parts.push_back({"fissures", nullptr, nullptr, "fissures.json",
                      [given](const std::filesystem::path& file) { writeGiven(file, given); }});
-  }
-  if (parts.empty()) {
-    throw InputMissing("the project '" + path.string() + "' holds nothing to export yet");
   }
   return parts;
 }
 
-}  // namespace pneuma::cli
+Project openCase(const std::vector<std::filesystem::path>& paths, const Progress& progress) {
+  if (paths.size() == 1 && isProjectFileName(paths.front())) {
+    return readProject(paths.front(), progress);
+  }
+  Project project;
+  project.state.name = paths.front().filename().string();
+  project.state.model = openFiles(paths, progress);
+  return project;
+}
+
+}  // namespace pneuma

@@ -2,16 +2,16 @@
 
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "pipeline/project.h"
 
-namespace pneuma::cli {
+namespace pneuma {
 
-/// Something in a project that goes to a file of its own.
-struct ProjectPart {
+/// Something of a case that goes to a file of its own.
+struct CasePart {
   std::string stem;  ///< of the file
   std::shared_ptr<const TriangleMesh> mesh;
   std::shared_ptr<const AirwayTree> tree;
@@ -20,8 +20,10 @@ struct ProjectPart {
 };
 
 /// Surfaces, trees, labels and the fissures that were set.
-/// @throws as readProject(); InputMissing if there is nothing
-std::vector<ProjectPart> partsOfProject(const std::filesystem::path& path,
-                                        const Progress& progress);
+std::vector<CasePart> partsOf(const ProjectState& state);
 
-}  // namespace pneuma::cli
+/// A project alone, or surfaces, trees and images that become a case without a file.
+/// @throws as readProject() and openFiles()
+Project openCase(const std::vector<std::filesystem::path>& paths, const Progress& progress = {});
+
+}  // namespace pneuma

@@ -1,0 +1,79 @@
+#include <utility>
+
+#include "document/breath.h"
+#include "document/document.h"
+#include "document/project_snapshot.h"
+#include "document/text.h"
+#include "io/atomic_file.h"
+#include "pipeline/case_document.h"
+#include "render/four_sides.h"
+
+// Writing what other programs and people read.
+namespace pneuma {
+
+namespace {
+
+std::vector<PagePicture> reportPictures(const LungModel& model, const Progress& progress) {
+  std::vector<SceneSurface> surfaces;
+  if (model.surfaces) {
+    for (const LobeSurface& surface : *model.surfaces) {
+      surfaces.push_back({surface.lobe, surface.mesh});
+    }
+  }
+  std::vector<PagePicture> pictures;
+  for (const SideView& view : fourSides(surfaces, treeOf(model), progress)) {
+    pictures.push_back({view.caption, pngText(view.picture)});
+  }
+  return pictures;
+}
+
+}  // namespace
+
+std::vector<std::filesystem::path> Document::filesInTheWay(
+    ExportPreset preset, const std::filesystem::path& folder) const {
+  std::vector<std::filesystem::path> there;
+  for (const auto& file : presetOutputs(preset, stateOf(snapshot_))) {
+    std::error_code ignored;
+    if (std::filesystem::exists(folder / file, ignored)) there.push_back(file);
+  }
+  return there;
+}
+
+void Document::exportCase(ExportPreset preset, const std::filesystem::path& folder) {
+  touched_ = {folder};
+  jobs_.push(tr("Exporting"), [this, preset, folder, state = stateOf(snapshot_),
+                               breath = snapshot_.breath](const Progress& progress) {
+    MadeBreath made;
+    if (breath) made = {&breath->lungs, &breath->report};
+    writePreset(folder, preset, state, Existing::Replace, progress, made);
+    const std::size_t files = presetOutputs(preset, state).size();
+    return JobQueue::Continuation([this, preset, folder, files, shown = treeOf(state.model)] {
+      if (preset == ExportPreset::Tree) {
+        saved_ = shown;
+        emit treeWasSaved();
+      }
+      emit said(tr("Exported %1 to %2").arg(counted(files, "file", "files"), fileNameOf(folder)));
+    });
+  });
+}
+
+void Document::saveReport(const std::filesystem::path& path, const CaseReportOptions& options) {
+  touched_ = {path};
+  Project project;
+  project.state = stateOf(snapshot_);
+  jobs_.push(tr("Writing the report"), [this, path, options,
+                                        project = std::move(project)](const Progress& progress) {
+    requireCaseDocumentName(path);
+    const Json report = caseReport(project, options, progress.part(0.0, 0.7, "measuring"));
+    std::vector<PagePicture> pictures;
+    if (hasPictures(path)) {
+      pictures = reportPictures(project.state.model, progress.part(0.7, 1.0, "drawing"));
+    }
+    writeFile(path, caseDocument(path, report, pictures));
+    return JobQueue::Continuation([this, path, checks = report.at("checks").size()] {
+      emit said(tr("Saved %1: %2").arg(fileNameOf(path), counted(checks, "check", "checks")));
+    });
+  });
+}
+
+}  // namespace pneuma

@@ -1,0 +1,87 @@
+#include <QApplication>
+#include <QClipboard>
+#include <QStackedWidget>
+#include <filesystem>
+
+#include "document/shell_command.h"
+#include "document/text.h"
+#include "widgets/dialogs.h"
+#include "widgets/error_card.h"
+#include "widgets/export_panel.h"
+#include "widgets/main_window.h"
+#include "widgets/scene_view.h"
+#include "widgets/status_strip.h"
+#include "widgets/step_button.h"
+
+// What the window does for the step "Export", and commands to copy.
+namespace pneuma {
+
+void MainWindow::connectExport() {
+  connect(actions_.exportCase, &QAction::triggered, this, &MainWindow::exportCase);
+  connect(actions_.copyCommand, &QAction::triggered, this, &MainWindow::copyCommand);
+  connect(exportPanel_, &ExportPanel::kindChanged, this, &MainWindow::updateExportActions);
+}
+
+void MainWindow::exportCase() {
+  errorCard_->hide();
+  goTo(ExportStep);
+  if (const auto preset = presetOf(exportPanel_->kind())) {
+    askForExportFolder(this, [this, kind = *preset](const QString& name) {
+      const std::filesystem::path folder = name.toStdString();
+      const auto write = [this, kind, folder] { document_.exportCase(kind, folder); };
+      const auto there = document_.filesInTheWay(kind, folder);
+      if (there.empty()) {
+        write();
+        return;
+      }
+      QStringList names;
+      for (const auto& file : there) names << qtText(file.string());
+      askBeforeReplacing(this, fileNameOf(folder), names, write);
+    });
+  } else if (exportPanel_->kind() == ExportKind::Figure) {
+    savePicture();
+  } else {
+    askWhereToSave(this, tr("Save the report"),
+                   tr("PDF, a page (*.pdf);;HTML, a page (*.html);;JSON, everything (*.json)"),
+                   QStringLiteral("pdf"), [this](const QString& name) {
+                     CaseReportOptions options;
+                     options.identify = exportPanel_->identify();
+                     document_.saveReport(name.toStdString(), options);
+                   });
+  }
+}
+
+ShellCommand MainWindow::commandNow() const {
+  ExportWish wish;
+  wish.kind = exportPanel_->kind();
+  wish.identify = exportPanel_->identify();
+  wish.view = view_->lookingFrom();
+  return shellCommand(static_cast<WorkStep>(panels_->currentIndex()), document_, wish);
+}
+
+void MainWindow::copyCommand() {
+  const ShellCommand command = commandNow();
+  if (!command.obstacle.isEmpty()) {
+    status_->say(command.obstacle);
+    return;
+  }
+  QApplication::clipboard()->setText(command.text() + QLatin1Char('\n'));
+  const auto count = static_cast<std::size_t>(command.lines.size());
+  status_->say(tr("Copied for a terminal: %1").arg(counted(count, "line", "lines")));
+}
+
+void MainWindow::updateExportActions() {
+  const bool busy = document_.jobs().busy();
+  const QString lack = exportPanel_->lack();
+  actions_.exportCase->setEnabled(lack.isEmpty() && !busy);
+  actions_.exportCase->setToolTip(busy             ? tr("A job is running")
+                                  : lack.isEmpty() ? tr("Write what is chosen in the step Export")
+                                                   : lack);
+  const QString obstacle = commandNow().obstacle;
+  actions_.copyCommand->setEnabled(obstacle.isEmpty());
+  actions_.copyCommand->setToolTip(
+      obstacle.isEmpty() ? tr("Copies the commands that do this step with these options")
+                         : obstacle);
+}
+
+}  // namespace pneuma

@@ -1,0 +1,199 @@
+#include "pipeline/case_export.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/error.h"
+#include "io/multiblock_file.h"
+#include "io/staged_folder.h"
+#include "io/surface_file.h"
+#include "io/tree_file.h"
+#include "io/volume_file.h"
+#include "pipeline/breathe_files.h"
+#include "pipeline/case_parts.h"
+#include "pipeline/case_report.h"
+#include "pipeline/lobe_files.h"
+#include "pipeline/lobe_labels.h"
+#include "pipeline/report.h"
+
+namespace pneuma {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* TogetherFile = "case.vtm";
+constexpr const char* BreathFile = "breath.pvd";
+constexpr const char* LabelFile = "labels.nii.gz";
+constexpr std::array<const char*, 4> TreeFiles = {"tree.vtp", "tree.swc", "tree.csv", "tree.json"};
+constexpr double VoxelMm = 1.0;  ///< of labels where there is no image
+
+bool hasSurfaces(const LungModel& model) { return model.surfaces && !model.surfaces->empty(); }
+
+bool breathes(const ProjectState& state) { return state.breath && hasSurfaces(state.model); }
+
+std::map<std::string, std::string> metadataOf(const LungModel& model, const AirwayTree* tree) {
+  if (model.growth && tree == &model.growth->result.tree) return treeMetadata(model);
+  return {{"version", versionText()}};
+}
+
+/// Surfaces and trees of a case as blocks of files.
+std::vector<Block> blocksOf(const ProjectState& state) {
+  std::vector<Block> blocks;
+  for (const CasePart& part : partsOf(state)) {
+    if (part.mesh || part.tree) blocks.push_back({part.stem, part.stem + ".vtp"});
+  }
+  if (!state.model.lobes) return blocks;
+  for (const SplitLung& lung : state.model.lobes->lungs) {
+    for (const Fissure fissure : fissuresOf(lung.side)) {
+      blocks.push_back({std::string(shortName(fissure)), patchFile(fissure)});
+    }
+  }
+  return blocks;
+}
+
+void writeFissurePatches(const fs::path& folder, const LobesOfLungs& lobes) {
+  for (const SplitLung& lung : lobes.lungs) {
+    for (const Fissure fissure : fissuresOf(lung.side)) {
+      TriangleMarks marks;
+      const auto complete = lobes.complete.find(fissure);
+      if (complete != lobes.complete.end()) marks["on_fissure"] = complete->second.onSheet;
+      fs::create_directories((folder / patchFile(fissure)).parent_path());
+      writeSurface(folder / patchFile(fissure), fissurePatch(lung, fissure), {}, marks);
+    }
+  }
+}
+
+void writeForParaview(const fs::path& folder, const ProjectState& state, const MadeBreath& breath,
+                      const Progress& progress) {
+  for (const CasePart& part : partsOf(state)) {
+    progress.throwIfStopped();
+    const fs::path file = folder / (part.stem + ".vtp");
+    if (part.mesh) writeSurface(file, *part.mesh);
+    if (part.tree) writeTree(file, *part.tree, metadataOf(state.model, part.tree.get()));
+  }
+  if (state.model.lobes) writeFissurePatches(folder, *state.model.lobes);
+  writeMultiblock(folder / TogetherFile, blocksOf(state));
+  progress.report(0.2);
+  if (!breathes(state)) return;
+  if (breath.lungs != nullptr) {
+    Json report = *breath.report;
+    hideFileNames(report);
+    writeBreath(folder / BreathFile, *breath.lungs, report, progress.part(0.2, 1.0, ""));
+    return;
+  }
+  const BreathingLungs lungs =
+      breathe(state.model, *state.breath, progress.part(0.2, 0.6, "moving lungs"));
+  Json report = breatheReport(state.model, lungs, *state.breath);
+  hideFileNames(report);
+  writeBreath(folder / BreathFile, lungs, report, progress.part(0.6, 1.0, "writing"));
+}
+
+void writeForPrinting(const fs::path& folder, const LungModel& model, const Progress& progress) {
+  for (const LobeSurface& surface : *model.surfaces) {
+    progress.throwIfStopped();
+    writeSurface(folder / lobeFile(surface.lobe).replace_extension(".stl"), *surface.mesh);
+  }
+}
+
+/// The labels of a case, with lobes where its lungs were split.
+LabelImage labelsOf(LungModel model, const Progress& progress) {
+  if (!model.lobes) return *model.labels;
+  if (model.labels) return lobeLabels(*model.labels, *model.lobes, progress);
+  model.surfaces = model.wholeLungs;
+  return lobeLabels(lungLabels(model, VoxelMm, progress.part(0.0, 0.5, "")), *model.lobes,
+                    progress.part(0.5, 1.0, ""));
+}
+
+void writeAirways(const fs::path& folder, const LungModel& model, const Progress& progress) {
+  const auto tree = treeOf(model);
+  for (const char* file : TreeFiles) {
+    progress.throwIfStopped();
+    writeTree(folder / file, *tree, metadataOf(model, tree.get()));
+  }
+}
+
+[[noreturn]] void throwLack(ExportPreset preset, ExportLack lack) {
+  const std::string start = "--preset " + textOf(preset) + " has nothing to write: ";
+  switch (lack) {
+    case ExportLack::Surfaces:
+      throw InvalidInput(start + "the case has no surfaces of lungs or lobes");
+    case ExportLack::Labels:
+      throw InvalidInput(start + "the case has no labels, and no lungs that were split into lobes");
+    case ExportLack::Tree:
+      throw InvalidInput(start + "the case has no airways");
+    default:
+      throw InvalidInput(start + "the case has neither surfaces nor airways");
+  }
+}
+
+}  // namespace
+
+ExportLack lackOf(ExportPreset preset, const ProjectState& state) {
+  const LungModel& model = state.model;
+  const bool tree = treeOf(model) != nullptr;
+  switch (preset) {
+    case ExportPreset::Paraview:
+      return hasSurfaces(model) || tree ? ExportLack::Nothing : ExportLack::Anything;
+    case ExportPreset::Print:
+      return hasSurfaces(model) ? ExportLack::Nothing : ExportLack::Surfaces;
+    case ExportPreset::Segmentation:
+      return model.labels || (model.lobes && model.wholeLungs) ? ExportLack::Nothing
+                                                               : ExportLack::Labels;
+    case ExportPreset::Tree:
+      break;
+  }
+  return tree ? ExportLack::Nothing : ExportLack::Tree;
+}
+
+std::vector<fs::path> presetOutputs(ExportPreset preset, const ProjectState& state) {
+  if (lackOf(preset, state) != ExportLack::Nothing) return {};
+  std::vector<fs::path> files;
+  switch (preset) {
+    case ExportPreset::Paraview:
+      for (const Block& block : blocksOf(state)) files.push_back(block.file);
+      files.emplace_back(TogetherFile);
+      if (!breathes(state)) return files;
+      for (const fs::path& file :
+           breathOutputs(BreathFile, *state.breath, treeOf(state.model) != nullptr)) {
+        files.push_back(file);
+      }
+      return files;
+    case ExportPreset::Print:
+      for (const LobeSurface& surface : *state.model.surfaces) {
+        files.push_back(lobeFile(surface.lobe).replace_extension(".stl"));
+      }
+      return files;
+    case ExportPreset::Segmentation:
+      return {LabelFile};
+    case ExportPreset::Tree:
+      break;
+  }
+  return {TreeFiles.begin(), TreeFiles.end()};
+}
+
+void writePreset(const fs::path& folder, ExportPreset preset, const ProjectState& state,
+                 Existing existing, const Progress& progress, const MadeBreath& breath) {
+  const ExportLack lack = lackOf(preset, state);
+  if (lack != ExportLack::Nothing) throwLack(preset, lack);
+  StagedFolder staged(folder);
+  switch (preset) {
+    case ExportPreset::Paraview:
+      writeForParaview(staged.path(), state, breath, progress);
+      break;
+    case ExportPreset::Print:
+      writeForPrinting(staged.path(), state.model, progress);
+      break;
+    case ExportPreset::Segmentation:
+      writeVolume(staged.path() / LabelFile,
+                  labelsOf(state.model, progress.part(0.0, 0.8, "labelling")), Existing::Replace,
+                  progress.part(0.8, 1.0, "writing"));
+      break;
+    case ExportPreset::Tree:
+      writeAirways(staged.path(), state.model, progress);
+      break;
+  }
+  progress.report(1.0);
+  staged.keep(existing);
+}
+
+}  // namespace pneuma

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "io/atomic_file.h"
+#include "pipeline/project.h"
+
+namespace pneuma {
+
+/// What a case is exported for: `pneuma export --preset`, and the window's step "Export".
+enum class ExportPreset {
+  Paraview,      ///< surfaces, fissures and trees as VTP with a .vtm that names them; the breath
+  Print,         ///< every surface as STL, mm
+  Segmentation,  ///< the labels, with lobes where lungs were split, as NIfTI
+  Tree           ///< the airways as VTP, SWC, CSV and JSON
+};
+
+constexpr std::array<std::string_view, 4> choices(ExportPreset) {
+  return {"paraview", "print", "segmentation", "tree"};
+}
+
+/// What a case lacks for a preset.
+enum class ExportLack { Nothing, Anything, Surfaces, Labels, Tree };
+
+ExportLack lackOf(ExportPreset preset, const ProjectState& state);
+
+/// The files that writePreset() writes, relative to the folder.
+std::vector<std::filesystem::path> presetOutputs(ExportPreset preset, const ProjectState& state);
+
+/// A breath that was made with the state's options already.
+struct MadeBreath {
+  const BreathingLungs* lungs = nullptr;  ///< null: it is made
+  const Json* report = nullptr;           ///< its breatheReport()
+};
+
+/// Writes what a preset makes of a case into a folder: everything, or nothing. Names of the case
+/// and its files go nowhere.
+/// @throws InvalidInput if the case has nothing that the preset takes; OutputFailed; as breathe();
+/// Cancelled
+void writePreset(const std::filesystem::path& folder, ExportPreset preset,
+                 const ProjectState& state, Existing existing, const Progress& progress = {},
+                 const MadeBreath& breath = {});
+
+}  // namespace pneuma

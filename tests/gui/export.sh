@@ -1,0 +1,87 @@
+#!/usr/bin/env bash
+# What the window exports is, byte for byte, what the commands make that it copies.
+# Needs PNEUMA, DESKTOP (pneuma-desktop), a CT, a display, and a folder OUT for its pictures.
+set -u
+: "${PNEUMA:?}" "${DESKTOP:?}" "${CT:?}" "${OUT:?}"
+FOLDER=$(mktemp -d)
+trap 'rm -rf "$FOLDER"' EXIT
+export FOLDER CT
+here=$(cd "$(dirname "$0")" && pwd)
+rm -rf "$OUT"
+
+fail() {
+  echo "FAILED: $1"
+  exit 1
+}
+
+# copied NAME: runs the commands that were copied, in a folder of their own.
+copied() {
+  mkdir -p "$FOLDER/commands" && cd "$FOLDER/commands" || fail "no folder"
+  pneuma() { "$PNEUMA" "$@" --force -q; }
+  cat "$OUT/$1.txt"
+  set -e
+  . "$OUT/$1.txt"
+  set +e
+}
+
+"$PNEUMA" sample "$FOLDER/chest" --format vtp --cell 4 -q || fail "no sample"
+mkdir -p "$FOLDER/window/paraview" "$FOLDER/window/print" "$FOLDER/window/tree"
+echo "from before" >"$FOLDER/window/print/rul.stl"
+"$DESKTOP" --play "$here/export.json" --screenshots "$OUT" || fail "the window"
+
+copied airways
+mkdir "$FOLDER/tree" && "$PNEUMA" export "$FOLDER/case.pneuma" -o "$FOLDER/tree/tree.vtp" -q
+cmp "$FOLDER/window/tree/tree.vtp" tree.vtp || fail "the copied command grows another tree"
+copied breathing
+for file in breath.csv breath_0001.vtp breath_tree_0001.vtp breath.pvd; do
+  cmp "$FOLDER/window/$file" $file || fail "the copied command breathes otherwise"
+done
+grep -rq "$FOLDER\|central.vtp" "$FOLDER/window/paraview/breath.json" && fail "a report names files"
+for preset in paraview print tree; do
+  copied $preset
+  diff -r -I peak_memory_mb "$FOLDER/window/$preset" $preset || fail "$preset differs"
+done
+copied report
+cmp "$FOLDER/window/report.pdf" report.pdf || fail "the report differs"
+"$PNEUMA" report "$FOLDER/case.pneuma" -o report.html -q
+cmp "$FOLDER/window/report.html" report.html || fail "the page differs"
+grep -q "$FOLDER\|rul.vtp" report.html && fail "the report names files"
+copied figure
+[ -s figure.png ] && [ -s "$FOLDER/window/figure.png" ] || fail "no figure"
+[ -z "$(find "$FOLDER" -name '.*' -not -path "$FOLDER" -o -name '*.part')" ] || fail "something was left"
+
+# From a CT on: every command builds on the one before.
+cat >"$FOLDER/ct.json" <<'END'
+[{"do": "open", "paths": ["${CT}"]}, {"do": "wait", "seconds": 300},
+ {"do": "click", "name": "stepOpen"}, {"do": "click", "name": "copyCommand"},
+ {"do": "save-clipboard", "file": "open.txt"},
+ {"do": "click", "name": "stepLungs"}, {"do": "click", "name": "copyCommand"},
+ {"do": "save-clipboard", "file": "lungs.txt"},
+ {"do": "click", "name": "stepLobes"}, {"do": "click", "name": "copyCommand"},
+ {"do": "save-clipboard", "file": "lobes.txt"},
+ {"do": "click", "name": "splitLobes"}, {"do": "wait", "seconds": 300},
+ {"do": "click", "name": "stepAirways"}, {"do": "click", "name": "method_centroid"},
+ {"do": "set", "name": "option_terminals", "value": 300},
+ {"do": "click", "name": "copyCommand"}, {"do": "save-clipboard", "file": "chain.txt"},
+ {"do": "click", "name": "grow"}, {"do": "wait", "seconds": 300},
+ {"do": "click", "name": "stepExport"}, {"do": "click", "name": "export_tree"},
+ {"do": "click", "name": "exportCase"},
+ {"do": "set", "name": "fileNameEdit", "value": "${FOLDER}/ct/tree"},
+ {"do": "key", "name": "fileNameEdit", "keys": "Return"}, {"do": "wait"},
+ {"do": "click", "name": "export_segmentation"}, {"do": "click", "name": "exportCase"},
+ {"do": "set", "name": "fileNameEdit", "value": "${FOLDER}/ct/labels"},
+ {"do": "key", "name": "fileNameEdit", "keys": "Return"}, {"do": "wait"},
+ {"do": "screenshot", "file": "07_ct"},
+ {"do": "expect", "name": "errorCard", "property": "visible", "equals": false}]
+END
+mkdir -p "$FOLDER/ct/tree" "$FOLDER/ct/labels"
+"$DESKTOP" --play "$FOLDER/ct.json" --screenshots "$OUT" || fail "the window with a CT"
+rm -rf "$FOLDER/commands"
+copied open >/dev/null
+copied lungs
+copied lobes
+cmp "$FOLDER/ct/labels/labels.nii.gz" lobes/labels.nii.gz || fail "the lobes are labelled otherwise"
+rm -rf "$FOLDER/commands"
+copied chain
+cmp "$FOLDER/ct/tree/tree.vtp" tree.vtp || fail "the chain from the CT grows another tree"
+echo "done"
