@@ -1,9 +1,13 @@
 #include <QAction>
 #include <QImage>
 #include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
+#include "render/stereo.h"
 #include "window_fixture.h"
 
 namespace pneuma {
@@ -72,6 +76,56 @@ TEST_F(StereoWindowTest, AnAnaglyphIsHalfColoured) {
   const QImage far = seen("anaglyph", 65.0);
   EXPECT_GT(difference(far, one, cyanOf), 4.0 * difference(near, one, cyanOf));
   EXPECT_EQ(seen("none", 65.0), one) << "one eye sees again what it saw";
+}
+
+QImage imageOf(const Picture& picture) {
+  return QImage(picture.rgb.data(), picture.width, picture.height, 3 * picture.width,
+                QImage::Format_RGB888)
+      .copy();
+}
+
+TEST_F(StereoWindowTest, EyesSeeWhatTheySeeInAPicture) {
+  Scene scene;
+  scene.setOptions(window.view().options());
+  std::vector<SceneSurface> surfaces;
+  for (const LobeSurface& lobe : *window.document().model().surfaces) {
+    surfaces.push_back({lobe.lobe, lobe.mesh});
+  }
+  scene.setSurfaces(std::move(surfaces));
+  scene.setTree(window.document().tree());
+  scene.look({});
+  const auto redOf = [](QRgb c) { return static_cast<double>(qRed(c)); };
+  const auto greenOf = [](QRgb c) { return static_cast<double>(qGreen(c)); };
+  for (const Stereo kind : {Stereo::Anaglyph, Stereo::Crossed}) {
+    const std::string name(choices(Stereo{})[static_cast<std::size_t>(kind)]);
+    const QImage image = seen(name.c_str(), 65.0);
+    const auto picture = [&](double mm) {
+      return imageOf(renderStereo(scene, image.width(), image.height(), {kind, mm}));
+    };
+    const QImage apart = picture(65.0);
+    const QImage together = picture(1.0);
+    // The window averages no pixels; eyes in each other's place would be off by more than in one.
+    EXPECT_LT(difference(image, apart, redOf), 0.75 * difference(image, together, redOf)) << name;
+    EXPECT_LT(difference(image, apart, greenOf), 0.75 * difference(image, together, greenOf))
+        << name;
+  }
+}
+
+TEST_F(StereoWindowTest, AClickTakesTheBranchInEitherHalf) {
+  seen("side-by-side", 65.0);
+  SceneView& view = window.view();
+  std::vector<std::size_t> taken;
+  QObject::connect(&view, &SceneView::clicked, &window, [&](std::optional<std::size_t> branch) {
+    if (branch) taken.push_back(*branch);
+  });
+  const Branch& trachea = (*window.document().tree())[0];
+  const QPoint left = view.positionOf(0.5 * (trachea.proximal + trachea.distal));
+  EXPECT_LT(left.x(), view.canvas()->width() / 2);
+  const QPoint right = left + QPoint(view.canvas()->width() / 2, 0);
+  for (const QPoint& at : {left, right}) {
+    QTest::mouseClick(view.canvas(), Qt::LeftButton, {}, at);
+  }
+  EXPECT_EQ(taken, (std::vector<std::size_t>{0, 0}));
 }
 
 }  // namespace

@@ -94,7 +94,14 @@ TEST(HeadView, WhatIsAsDeepAsTheMiddleLiesInTheScreenForBothEyes) {
   HeadView view(scene, 2 * EdgePixels, EdgePixels, {Stereo::SideBySide, 65.0});
   const Picture both = view.from(Vec3(0.0, 0.0, 0.0), Straight);
   ASSERT_EQ(both.width, 2 * EdgePixels);
-  EXPECT_NEAR(cubeIn(both).first, EdgePixels, 2.0);
+  for (const int half : {0, 1}) {
+    Picture eye{EdgePixels, EdgePixels, {}};
+    for (std::ptrdiff_t row = 0; row < EdgePixels; ++row) {
+      const auto from = both.rgb.begin() + 3 * EdgePixels * (2 * row + half);
+      eye.rgb.insert(eye.rgb.end(), from, from + 3 * EdgePixels);
+    }
+    EXPECT_NEAR(cubeIn(eye).first, 0.5 * EdgePixels, 1.0);
+  }
   EXPECT_THROW(HeadView(scene, 200, 100, {Stereo::Crossed, 0.0}), InvalidOption);
 }
 
