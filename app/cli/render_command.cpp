@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <iostream>
 #include <memory>
 
@@ -6,6 +7,7 @@
 #include "cli/files.h"
 #include "cli/model_scene.h"
 #include "cli/picture_arguments.h"
+#include "cli/pose_picture.h"
 #include "cli/series_picture.h"
 #include "cli/slice_arguments.h"
 #include "cli/slice_sheet.h"
@@ -23,13 +25,15 @@ struct RenderArguments : PictureArguments {
   std::vector<std::string> hidden;
   SliceArguments slices;
   CLI::Option* opacityOption = nullptr;
+  CLI::Option* viewOption = nullptr;
+  std::filesystem::path poses;
   bool noAnnotations = false;
   std::filesystem::path reference;
   std::filesystem::path difference;
   // The members below are fields.
   double threshold = 0.03;
   double time = 0.0;
-  int rate = 0;
+  double rate = 0.0;
   int repeat = 1;
   Stereo stereo = Stereo::None;
   double eyeDistanceMm = StereoOptions{}.eyeDistanceMm;
@@ -39,10 +43,13 @@ struct RenderArguments : PictureArguments {
     return std::tuple{
         Field{"threshold", &R::threshold, "", Range{0.0, 1.0},
               "How different from --reference the picture may look."},
-        Field{"time", &R::time, "s", Range{0.0, 1e6},
-              "Of a breath (.pvd), the moment of the picture; the nearest there is."},
-        Field{"rate", &R::rate, "/s", Range{0, 120},
-              "Pictures a second of a film (.ogv); 0: as fast as the breath was."},
+        Field{
+            "time", &R::time, "s", Range{0.0, 1e6},
+            "Of a breath (.pvd), the moment of the picture, or of the first of --pose; the nearest "
+            "there is."},
+        Field{"rate", &R::rate, "/s", Range{0.0, 120.0},
+              "Pictures a second of a film (.ogv), a whole number; 0: as fast as the breath was. "
+              "Of --pose, poses a second; 0: one every 15 ms (66.7)."},
         Field{"repeat", &R::repeat, "", Range{1, 100}, "How many breaths a film shows."},
         Field{"stereo", &R::stereo, "", Range{},
               "Two eyes' pictures: for red and cyan glasses, side by side, or for crossed eyes."},
@@ -74,13 +81,37 @@ bool drawsSlices(const RenderArguments& arguments) {
   return arguments.slices.any() || std::ranges::any_of(arguments.inputs, isCtPath);
 }
 
+/// What does not go with --pose, and what goes only with it.
+void requireUsablePoses(const RenderArguments& arguments, const CommonOptions& common) {
+  if (arguments.poses.empty()) {
+    if (common.json) throw InvalidOption("--json tells how poses were replayed; give --pose too");
+    if (std::floor(arguments.rate) != arguments.rate) {
+      throw InvalidOption("--rate of a film is a whole number of pictures a second");
+    }
+    return;
+  }
+  if (drawsSlices(arguments)) {
+    throw InvalidOption("--pose looks at surfaces and trees; give no CT and no slices with it");
+  }
+  if (arguments.viewOption->count() > 0) {
+    throw InvalidOption("poses say from where one looks; leave --view or --pose out");
+  }
+  if (arguments.repeat != 1) {
+    throw InvalidOption(
+        "poses are replayed once, the breath as long as they last; leave --repeat "
+        "out");
+  }
+  requireOtherThanInputs(common.output, {&arguments.poses, 1});
+}
+
 void requireUsable(const RenderArguments& arguments, const CommonOptions& common) {
+  requireUsablePoses(arguments, common);
   if (!arguments.difference.empty() && arguments.reference.empty()) {
     throw InvalidOption("--diff needs --reference, the picture to compare with");
   }
   if (isFilm(common.output)) {
-    if (!drawsSeries(arguments)) {
-      throw InvalidOption("a film needs a breath: give the .pvd of 'pneuma breathe'");
+    if (!drawsSeries(arguments) && arguments.poses.empty()) {
+      throw InvalidOption("a film needs a breath: give the .pvd of 'pneuma breathe', or --pose");
     }
     if (!arguments.reference.empty()) {
       throw InvalidOption("films are not compared; leave --reference out or draw a .png");
@@ -135,7 +166,7 @@ void drawMoments(const RenderArguments& arguments, const std::vector<SeriesMomen
 ExitCode writeFilm(const RenderArguments& arguments, const CommonOptions& common,
                    const Progress& progress) {
   const Series series = readSeries(arguments.inputs.front());
-  const int rate = arguments.rate == 0 ? series.rate() : arguments.rate;
+  const int rate = arguments.rate == 0.0 ? series.rate() : static_cast<int>(arguments.rate);
   Movie movie(rate);
   std::vector<Picture> pictures;
   drawMoments(
@@ -182,10 +213,131 @@ void requireSpelled(const RenderArguments& arguments) {
   for (const std::string& marker : arguments.slices.markers) (void)markerPoint(marker);
 }
 
+/// Writes the picture and compares it if that is wanted.
+ExitCode keepPicture(const RenderArguments& arguments, const CommonOptions& common,
+                     const Picture& picture) {
+  OutputSet outputs;
+  outputs.add(common.output);
+  writeFile(common.output, pngText(picture), common.existing());
+  ExitCode code = ExitCode::Done;
+  if (!arguments.reference.empty()) {
+    const PictureDifference found = compare(picture, readPng(arguments.reference));
+    if (!arguments.difference.empty()) {
+      outputs.add(arguments.difference);
+      writeFile(arguments.difference, pngText(found.difference), common.existing());
+    }
+    const bool same = found.error <= arguments.threshold;
+    if (!same) code = ExitCode::ComparisonOverLimit;
+    std::cout << "difference from " << arguments.reference.string() << ": " << fixed(found.error, 4)
+              << ", " << (same ? "within" : "over") << " the limit of "
+              << fixed(arguments.threshold, 4) << "\n";
+  }
+  outputs.keep();
+  return code;
+}
+
+/// Lungs that a head looks at: a breath, whose moments are all in memory, or such that stand.
+class ModelOfReplay {
+ public:
+  ModelOfReplay(const RenderArguments& arguments, const Progress& progress)
+      : hidden_(hiddenLobes(arguments.hidden)), from_(arguments.time) {
+    if (!drawsSeries(arguments)) {
+      models_.push_back(openFiles(arguments.inputs, progress));
+      if (!models_.front().surfaces && !treeOf(models_.front())) {
+        throw InvalidInput("--pose looks at surfaces and trees, and the inputs hold none");
+      }
+      return;
+    }
+    series_ = readSeries(arguments.inputs.front());
+    for (const SeriesMoment& moment : series_.moments) {
+      progress.report(static_cast<double>(models_.size()) /
+                      static_cast<double>(series_.moments.size()));
+      models_.push_back(openMoment(moment));
+    }
+  }
+
+  const std::vector<std::string>& warnings() const { return models_.front().warnings; }
+
+  /// @param seconds since the replay's start
+  void showAt(double seconds, Scene& scene) {
+    const std::size_t moment =
+        series_.moments.empty() ? 0 : series_.nearestInBreaths(from_ + seconds);
+    if (shown_ == moment) return;
+    showModel(scene, models_[moment], hidden_);
+    shown_ = moment;
+  }
+
+ private:
+  std::vector<Lobe> hidden_;
+  double from_;
+  Series series_;
+  std::vector<LungModel> models_;
+  std::optional<std::size_t> shown_;
+};
+
+Json parametersOfReplay(const RenderArguments& arguments, double rate) {
+  const auto& [width, height] = arguments.size;
+  return {{"rate_hz", rate},
+          {"stereo", choices(Stereo{})[static_cast<std::size_t>(arguments.stereo)]},
+          {"eye_distance_mm", arguments.eyeDistanceMm},
+          {"width", width},
+          {"height", height}};
+}
+
+ExitCode runReplay(const RenderArguments& arguments, const CommonOptions& common,
+                   const Progress& progress) {
+  const std::vector<HeadPose> poses = readHeadPoses(arguments.poses);
+  const double rate = arguments.rate == 0.0 ? PosesPerSecond : arguments.rate;
+  std::vector<InputFile> inputs;
+  if (common.json) {
+    for (const auto& path : expanded(arguments.inputs)) inputs.push_back(inputFile(path, progress));
+    inputs.push_back(inputFile(arguments.poses, progress));
+  }
+  ModelOfReplay model(arguments, progress.part(0.0, 0.3, "reading"));
+  Scene scene;
+  dress(scene, arguments);
+  model.showAt(0.0, scene);
+  HeadView view(scene, arguments.size.width, arguments.size.height,
+                {arguments.stereo, arguments.eyeDistanceMm});
+  std::optional<ReplayFilm> film;
+  if (isFilm(common.output)) film.emplace(rate);
+  const auto showAt = [&](double seconds) { model.showAt(seconds, scene); };
+  const ReplayedHead head = replayHead(view, poses, rate, showAt, film ? &*film : nullptr,
+                                       progress.part(0.3, 1.0, "replaying"));
+  ExitCode code = ExitCode::Done;
+  if (film) {
+    OutputSet outputs;
+    outputs.add(common.output);
+    writeFile(common.output, film->finish(), common.existing());
+    outputs.keep();
+  } else {
+    code = keepPicture(arguments, common, head.last);
+  }
+  progress.report(1.0);
+  const Json report = replayReport(head.replay, rate, inputs, parametersOfReplay(arguments, rate));
+  if (!common.quiet) {
+    printWarnings(model.warnings());
+    printWarnings(report.at("warnings").get<std::vector<std::string>>());
+  }
+  if (common.json) {
+    std::cout << jsonText(report);
+  } else if (!common.quiet) {
+    std::cout << common.output.string() << ": "
+              << (film ? grouped(static_cast<double>(film->pictures())) + " pictures, " +
+                             std::to_string(film->rate()) + " a second"
+                       : std::to_string(head.last.width) + " x " +
+                             std::to_string(head.last.height) + " pixels")
+              << "\n"
+              << replayText(report);
+  }
+  return code;
+}
+
 ExitCode runRender(const RenderArguments& arguments, const CommonOptions& common,
                    const Progress& progress) {
   requireSpelled(arguments);
   requireUsable(arguments, common);
+  if (!arguments.poses.empty()) return runReplay(arguments, common, progress);
   if (isFilm(common.output)) return writeFilm(arguments, common, progress);
   LungModel model;
   if (drawsSeries(arguments)) {
@@ -205,23 +357,7 @@ ExitCode runRender(const RenderArguments& arguments, const CommonOptions& common
       model.ct ? slicesPicture(arguments, model) : scenePicture(arguments, model, arguments.size);
   progress.report(1.0);
 
-  OutputSet outputs;
-  outputs.add(common.output);
-  writeFile(common.output, pngText(picture), common.existing());
-  ExitCode code = ExitCode::Done;
-  if (!arguments.reference.empty()) {
-    const PictureDifference found = compare(picture, readPng(arguments.reference));
-    if (!arguments.difference.empty()) {
-      outputs.add(arguments.difference);
-      writeFile(arguments.difference, pngText(found.difference), common.existing());
-    }
-    const bool same = found.error <= arguments.threshold;
-    if (!same) code = ExitCode::ComparisonOverLimit;
-    std::cout << "difference from " << arguments.reference.string() << ": " << fixed(found.error, 4)
-              << ", " << (same ? "within" : "over") << " the limit of "
-              << fixed(arguments.threshold, 4) << "\n";
-  }
-  outputs.keep();
+  const ExitCode code = keepPicture(arguments, common, picture);
   if (!common.quiet) {
     printWarnings(model.warnings);
     std::cout << common.output.string() << ": " << picture.width << " x " << picture.height
@@ -238,10 +374,12 @@ Run declareRender(CLI::App& app, CommonOptions& common) {
            "Surfaces, trees and folders of them, mixed; or a CT, of which slices are drawn; or a "
            "breath (.pvd).")
       ->required();
-  addOutput(app, common, "FILE", "Where the picture goes: .png; of a breath also a film: .ogv.")
+  addOutput(app, common, "FILE",
+            "Where the picture goes: .png; of a breath or of --pose also a film: .ogv.")
       ->required();
   addPictureArguments(app, *arguments, "Width and height in pixels.");
   arguments->opacityOption = app.get_option("--opacity");
+  arguments->viewOption = app.get_option("--view");
   addSliceArguments(app, arguments->slices);
   addRepeatable(app, "--hide", arguments->hidden, "{RUL|RML|RLL|LUL|LLL}",
                 "Leave out this lobe's surface. May be repeated.");
@@ -251,6 +389,11 @@ Run declareRender(CLI::App& app, CommonOptions& common) {
       ->type_name("FILE");
   app.add_option("--diff", arguments->difference, "Write the difference from --reference here.")
       ->type_name("FILE");
+  app.add_option("--pose", arguments->poses,
+                 "Replay recorded head poses (CSV: time_s, x_mm, y_mm, z_mm, qw, qx, qy, qz) in "
+                 "real time, offscreen, and tell latency and dropped poses; no headset is driven.")
+      ->type_name("FILE");
+  addJson(app, common);
   addFields(app, *arguments);
   return [arguments, &common](const Progress& progress) {
     return runRender(*arguments, common, progress);

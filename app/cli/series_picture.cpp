@@ -31,6 +31,18 @@ std::size_t Series::nearestTo(double seconds) const {
                                   moments.begin());
 }
 
+std::size_t Series::nearestInBreaths(double seconds) const {
+  if (!(periodSeconds > 0.0)) return 0;
+  const double first = moments.front().seconds;
+  const double into = std::fmod(seconds - first, periodSeconds);
+  const double inBreath = first + (into < 0.0 ? into + periodSeconds : into);
+  const std::size_t nearest = nearestTo(inBreath);
+  // The first moment comes again.
+  const bool again =
+      first + periodSeconds - inBreath < std::abs(moments[nearest].seconds - inBreath);
+  return again ? 0 : nearest;
+}
+
 int Series::rate() const {
   if (!(periodSeconds > 0.0)) return 1;
   const double perSecond = static_cast<double>(moments.size()) / periodSeconds;

@@ -26,6 +26,9 @@ struct Series {
   /// The place of the moment nearest to a time.
   std::size_t nearestTo(double seconds) const;
 
+  /// The place of the moment nearest to a time of breath after breath.
+  std::size_t nearestInBreaths(double seconds) const;
+
   /// Moments a second as they were, 1 .. 120.
   int rate() const;
 };

@@ -1,4 +1,5 @@
-#include <cmath>
+#include <algorithm>
+#include <array>
 #include <optional>
 #include <string>
 
@@ -10,8 +11,10 @@
 
 #include "core/error.h"
 #include "core/math.h"
-#include "core/units.h"
+#include "render/aside.h"
+#include "render/camera.h"
 #include "render/display.h"
+#include "render/head_view.h"
 #include "render/picture.h"
 #include "render/stereo.h"
 #include "render/vtk_messages.h"
@@ -22,6 +25,7 @@ namespace {
 constexpr int SmallestSide = 16;
 constexpr int LargestSide = 8192;
 constexpr int LogicalDpi = 72;
+constexpr double NearestFocusMm = 50.0;
 
 // Pictures up to this size are drawn at twice the size and averaged: airways thinner than a pixel
 // then show as what they are, a faint line, and not as a row of dots.
@@ -74,8 +78,12 @@ Picture reduced(const std::uint8_t* pixels, int width, int height, int factor) {
 /// A scene in a window that nobody sees, as long as this lives.
 class Offscreen {
  public:
-  Offscreen(Scene& scene, int width, int height)
-      : width_(width), height_(height), factor_(width * height <= LargestSupersampled ? 2 : 1) {
+  /// @param factor draws so many times larger, and averages
+  Offscreen(Scene& scene, int width, int height, int factor)
+      : camera_(*scene.renderer()->GetActiveCamera()),
+        width_(width),
+        height_(height),
+        factor_(factor) {
     window_->SetOffScreenRendering(1);
     window_->SetDPI(LogicalDpi * factor_);
     window_->SetSize(width * factor_, height * factor_);
@@ -98,14 +106,28 @@ class Offscreen {
     return reduced(pixels->GetPointer(0), width_, height_, factor_);
   }
 
+  /// What one eye or both see from there, each in the size of the window.
+  Picture drawFor(const StereoOptions& options) {
+    if (options.stereo == Stereo::None) return draw();
+    const auto seenBy = [&](double mmToTheRight) {
+      const Aside aside(camera_, mmToTheRight, static_cast<double>(width_) / height_);
+      return draw();
+    };
+    const Picture left = seenBy(-0.5 * options.eyeDistanceMm);
+    return stereoPicture(left, seenBy(0.5 * options.eyeDistanceMm), options.stereo);
+  }
+
  private:
   const VtkMessages messages_;
+  vtkCamera& camera_;
   int width_;
   int height_;
   int factor_;
   vtkNew<vtkRenderWindow> window_;
   std::optional<Visit> visit_;
 };
+
+int supersampling(int width, int height) { return width * height <= LargestSupersampled ? 2 : 1; }
 
 void requireDrawable(int width, int height) {
   if (width < SmallestSide || height < SmallestSide || width > LargestSide ||
@@ -118,39 +140,14 @@ void requireDrawable(int width, int height) {
   }
 }
 
-/// A camera that stands aside of another, looks the same way and has the other's focus in the same
-/// place of its picture; put back in the end.
-class Aside {
- public:
-  /// @param mm to the camera's right
-  Aside(vtkCamera& camera, double mm, double aspect) : camera_(camera) {
-    camera.GetPosition(eye_.data());
-    camera.GetFocalPoint(focus_.data());
-    const Vec3 ahead = (focus_ - eye_).normalized();
-    const Vec3 step = mm * ahead.cross(Vec3(camera.GetViewUp())).normalized();
-    const double halfWidth =
-        (focus_ - eye_).norm() * std::tan(radians(0.5 * camera.GetViewAngle())) * aspect;
-    const Vec3 eye = eye_ + step;
-    const Vec3 focus = focus_ + step;
-    camera.SetPosition(eye.data());
-    camera.SetFocalPoint(focus.data());
-    camera.SetWindowCenter(-mm / halfWidth, 0.0);
+/// How wide the picture of each eye is. @throws InvalidOption for eyes in one place
+int widthOfEach(int width, const StereoOptions& options) {
+  if (options.stereo != Stereo::None && !(options.eyeDistanceMm > 0.0)) {
+    throw InvalidOption("the distance of the eyes must be above 0 mm");
   }
-
-  ~Aside() {
-    camera_.SetPosition(eye_.data());
-    camera_.SetFocalPoint(focus_.data());
-    camera_.SetWindowCenter(0.0, 0.0);
-  }
-
-  Aside(const Aside&) = delete;
-  Aside& operator=(const Aside&) = delete;
-
- private:
-  vtkCamera& camera_;
-  Vec3 eye_;
-  Vec3 focus_;
-};
+  const bool whole = options.stereo == Stereo::None || options.stereo == Stereo::Anaglyph;
+  return whole ? width : width / 2;
+}
 
 }  // namespace
 
@@ -158,24 +155,51 @@ bool canRender() { return displayProblem().empty(); }
 
 Picture renderPicture(Scene& scene, int width, int height) {
   requireDrawable(width, height);
-  return Offscreen(scene, width, height).draw();
+  return Offscreen(scene, width, height, supersampling(width, height)).draw();
 }
 
 Picture renderStereo(Scene& scene, int width, int height, const StereoOptions& options) {
   if (options.stereo == Stereo::None) return renderPicture(scene, width, height);
-  if (!(options.eyeDistanceMm > 0.0)) {
-    throw InvalidOption("the distance of the eyes must be above 0 mm");
-  }
-  const int each = options.stereo == Stereo::Anaglyph ? width : width / 2;
+  const int each = widthOfEach(width, options);
   requireDrawable(each, height);
-  Offscreen offscreen(scene, each, height);
-  vtkCamera& camera = *scene.renderer()->GetActiveCamera();
-  const auto seenBy = [&](double mmToTheRight) {
-    const Aside aside(camera, mmToTheRight, static_cast<double>(each) / height);
-    return offscreen.draw();
-  };
-  const Picture left = seenBy(-0.5 * options.eyeDistanceMm);
-  return stereoPicture(left, seenBy(0.5 * options.eyeDistanceMm), options.stereo);
+  Offscreen offscreen(scene, each, height, supersampling(each, height));
+  return offscreen.drawFor(options);
+}
+
+struct HeadView::State {
+  Scene& scene;
+  StereoOptions stereo;
+  Offscreen offscreen;
+};
+
+HeadView::HeadView(Scene& scene, int width, int height, const StereoOptions& stereo) {
+  const int each = widthOfEach(width, stereo);
+  requireDrawable(each, height);
+  state_.reset(new State{scene, stereo, {scene, each, height, 1}});
+}
+
+HeadView::~HeadView() = default;
+
+Picture HeadView::from(const Vec3& position, const Eigen::Quaterniond& orientation) {
+  Scene& scene = state_->scene;
+  vtkRenderer* renderer = scene.renderer();
+  const Vec3 ahead = orientation * -Vec3::UnitZ();
+  const Vec3 up = orientation * Vec3::UnitY();
+  double distance = NearestFocusMm;
+  std::array<double, 6> box{};
+  renderer->ComputeVisiblePropBounds(box.data());
+  if (box[0] <= box[1]) {
+    const Vec3 middle = 0.5 * Vec3(box[0] + box[1], box[2] + box[3], box[4] + box[5]);
+    distance = std::max(distance, (middle - position).dot(ahead));
+  }
+  const Vec3 focus = position + distance * ahead;
+  vtkCamera& camera = *renderer->GetActiveCamera();
+  camera.SetViewAngle(ViewAngleDeg);
+  camera.SetPosition(position.data());
+  camera.SetFocalPoint(focus.data());
+  camera.SetViewUp(up.data());
+  scene.updateAnnotations();
+  return state_->offscreen.drawFor(state_->stereo);
 }
 
 }  // namespace pneuma

@@ -1,6 +1,7 @@
 #include "render/scene.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 #include <utility>
@@ -32,17 +33,24 @@ constexpr double PickTolerancePixels = 4.0;
 constexpr double MarkTolerancePixels = 9.0;
 constexpr double LogicalDpi = 72.0;
 
-/// A window's size in logical pixels.
+/// The size of what a scene fills of its window, in logical pixels.
 struct LogicalSize {
   int width = 640;
   int height = 480;
   double pixelRatio = 1.0;
 };
 
+/// The same in pixels. @pre the renderer is in a window
+std::array<int, 2> pixelsOf(vtkRenderer* renderer) {
+  const int* size = renderer->GetRenderWindow()->GetSize();
+  const double* part = renderer->GetViewport();
+  return {static_cast<int>(size[0] * (part[2] - part[0])), size[1]};
+}
+
 LogicalSize sizeOf(vtkRenderer* renderer) {
   vtkRenderWindow* window = renderer->GetRenderWindow();
   if (window == nullptr) return {};
-  const int* size = window->GetSize();
+  const std::array<int, 2> size = pixelsOf(renderer);
   const double ratio = window->GetDPI() / LogicalDpi;
   if (size[0] <= 0 || size[1] <= 0) return {};
   return {static_cast<int>(size[0] / ratio), static_cast<int>(size[1] / ratio), ratio};
@@ -171,7 +179,7 @@ struct Scene::State {
 
   /// @pre the renderer is in a window
   Projection projection() const {
-    const int* size = renderer->GetRenderWindow()->GetSize();
+    const std::array<int, 2> size = pixelsOf(renderer);
     vtkMatrix4x4* matrix = renderer->GetActiveCamera()->GetCompositeProjectionTransformMatrix(
         static_cast<double>(size[0]) / size[1], -1.0, 1.0);
     Projection projection;
@@ -240,6 +248,11 @@ void Scene::attachTo(vtkRenderWindow* window) {
   window->SetNumberOfLayers(2);
   window->AddRenderer(state_->renderer);
   window->AddRenderer(state_->overlayRenderer);
+}
+
+void Scene::setColumns(double from, double to) {
+  state_->renderer->SetViewport(from, 0.0, to, 1.0);
+  state_->overlayRenderer->SetViewport(from, 0.0, to, 1.0);
 }
 
 void Scene::setSurfaces(std::vector<SceneSurface> surfaces) {

@@ -97,6 +97,10 @@ class Scene {
   /// Moves the scene's renderers to a window: an offscreen one, a widget's, or none (null).
   void attachTo(vtkRenderWindow* window);
 
+  /// Which columns of its window the scene fills, as shares of the width; all to begin with. Two
+  /// halves hold the pictures of two eyes. Pixels are told and asked for as if `from` were 0.
+  void setColumns(double from, double to);
+
   void setSurfaces(std::vector<SceneSurface> surfaces);
   void setSurfaceVisible(std::size_t index, bool visible);
 

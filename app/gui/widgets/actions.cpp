@@ -7,6 +7,7 @@
 #include "document/text.h"
 #include "pipeline/organs.h"
 #include "widgets/icons.h"
+#include "widgets/stereo_menu.h"
 
 namespace pneuma {
 
@@ -110,6 +111,7 @@ Actions makeActions(QWidget* window) {
     a.views[i]->setIconText(QString(QLatin1Char(ViewLetters[i])));
   }
   a.resetView = action(window, "actionResetView", tr("&Frame everything"), {}, "frame");
+  a.stereo = new StereoMenu(window);
   a.slices = makeSliceActions(window);
   a.theme = action(window, "actionTheme", tr("&Light theme"), {});
   a.theme->setCheckable(true);
@@ -148,7 +150,9 @@ void fillMenus(QMenuBar& bar, const Actions& a) {
   QMenu* view = bar.addMenu(QObject::tr("&View"));
   for (QAction* named : a.views) view->addAction(named);
   view->addSeparator();
-  view->addActions({a.resetView, a.playBreath, a.onionSkin, a.theme});
+  view->addAction(a.resetView);
+  view->addMenu(a.stereo);
+  view->addActions({a.playBreath, a.onionSkin, a.theme});
   fillSliceMenu(*bar.addMenu(QObject::tr("&Slices")), a.slices);
   QMenu* help = bar.addMenu(QObject::tr("&Help"));
   help->addAction(a.about);

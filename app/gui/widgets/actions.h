@@ -11,6 +11,8 @@ class QMenuBar;
 
 namespace pneuma {
 
+class StereoMenu;
+
 /// The six named views, by letter.
 inline constexpr std::array<char, 6> ViewLetters = {'A', 'P', 'L', 'R', 'S', 'I'};
 
@@ -52,6 +54,7 @@ struct Actions {
   QAction* cancel = nullptr;
   std::array<QAction*, 6> views{};
   QAction* resetView = nullptr;
+  StereoMenu* stereo = nullptr;
   SliceActions slices;
   QAction* theme = nullptr;
   QAction* about = nullptr;

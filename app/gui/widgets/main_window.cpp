@@ -27,6 +27,7 @@
 #include "widgets/slice_view.h"
 #include "widgets/status_strip.h"
 #include "widgets/step_button.h"
+#include "widgets/stereo_menu.h"
 #include "widgets/structure_view.h"
 #include "widgets/view_bar.h"
 
@@ -103,6 +104,8 @@ void MainWindow::connectActions() {
             [this, i] { view_->look(viewDirection(std::string_view(&ViewLetters[i], 1))); });
   }
   connect(actions_.resetView, &QAction::triggered, view_, &SceneView::resetView);
+  connect(actions_.stereo, &StereoMenu::changed, this,
+          [this] { view_->setStereo(actions_.stereo->stereo()); });
 }
 
 void MainWindow::connectDocument() {

@@ -136,6 +136,7 @@ class MainWindow : public QMainWindow {
   /// What is shown and from where, for the project; and back.
   Json viewNow() const;
   void showView(const Json& view);
+  void showStereo(const Json& view);
   std::string thumbnail() const;
   void showTitle();
   void addRecent(const std::filesystem::path& path);

@@ -13,6 +13,7 @@
 #include "widgets/scene_view.h"
 #include "widgets/status_strip.h"
 #include "widgets/step_button.h"
+#include "widgets/stereo_menu.h"
 
 // What the window does with projects: opening, saving, asking before work is lost.
 namespace pneuma {
@@ -159,6 +160,9 @@ Json MainWindow::viewNow() const {
   const ViewDirection from = view_->lookingFrom();
   view["camera"]["azimuth_deg"] = from.azimuthDeg;
   view["camera"]["elevation_deg"] = from.elevationDeg;
+  const StereoOptions stereo = actions_.stereo->stereo();
+  view["stereo"] = {{"kind", choices(Stereo{})[static_cast<std::size_t>(stereo.stereo)]},
+                    {"eye_distance_mm", stereo.eyeDistanceMm}};
   view["hidden"] = Json::array();
   for (int row = 0; row < structures_.rowCount(); ++row) {
     const auto& structure = structures_.structure(row);
@@ -192,6 +196,7 @@ void MainWindow::showView(const Json& view) {
       view_->look(
           {camera.at("azimuth_deg").get<double>(), camera.at("elevation_deg").get<double>()});
     }
+    if (view.contains("stereo")) showStereo(view.at("stereo"));
     if (view.contains("point") && !sliceViews_.empty()) {
       const Json& point = view.at("point");
       sliceViews_.moveTo(
@@ -200,6 +205,16 @@ void MainWindow::showView(const Json& view) {
   } catch (const Json::exception&) {
     status_->say(tr("The project does not say how it was looked at."));
   }
+}
+
+void MainWindow::showStereo(const Json& view) {
+  const auto names = choices(Stereo{});
+  const auto kind = std::ranges::find(names, view.at("kind").get<std::string>());
+  if (kind == names.end()) return;  // of a newer program
+  const StereoOptions stereo{static_cast<Stereo>(kind - names.begin()),
+                             view.at("eye_distance_mm").get<double>()};
+  actions_.stereo->setStereo(stereo);
+  view_->setStereo(actions_.stereo->stereo());
 }
 
 void MainWindow::showTitle() {

@@ -12,12 +12,13 @@
 
 #include <QVTKOpenGLNativeWidget.h>
 #include <vtkCallbackCommand.h>
-#include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkInteractorStyleTrackballCamera.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkRenderWindowInteractor.h>
 #include <vtkRenderer.h>
+
+#include "widgets/stereo_window.h"
 
 namespace pneuma {
 
@@ -72,7 +73,7 @@ SceneView::SceneView(QWidget* parent) : QWidget(parent), scene_(std::make_unique
   canvas_->setMouseTracking(true);
   canvas_->installEventFilter(this);
 
-  vtkNew<vtkGenericOpenGLRenderWindow> window;
+  vtkNew<StereoWindow> window;
   window->SetMultiSamples(0);
   canvas_->setRenderWindow(window);
   scene_->attachTo(window);
@@ -87,7 +88,8 @@ SceneView::SceneView(QWidget* parent) : QWidget(parent), scene_(std::make_unique
     view->scene_->updateAnnotations();
     QString text = tr("3D   %1").arg(viewText(view->scene_->lookingFrom()));
     // Short of the letter in the middle of the upper side.
-    const int middle = (view->width() - view->scene_->legendWidth()) / 2;
+    const int width = view->stereoWindow().halved() ? view->width() / 2 : view->width();
+    const int middle = (width - view->scene_->legendWidth()) / 2;
     const int room = middle - view->title_->x() - TitleGap;
     if (view->title_->fontMetrics().horizontalAdvance(text) > room) text = tr("3D");
     if (view->title_->text() != text) {
@@ -124,6 +126,7 @@ SceneView::SceneView(QWidget* parent) : QWidget(parent), scene_(std::make_unique
 SceneView::~SceneView() {
   // The scene frees what it holds on the graphics card: before the canvas takes the context away.
   canvas_->removeEventFilter(this);
+  stereoWindow().setStereo(*scene_, {});
   scene_.reset();
 }
 
@@ -215,6 +218,15 @@ void SceneView::look(ViewDirection direction) {
   renderSoon();
 }
 
+StereoWindow& SceneView::stereoWindow() const {
+  return static_cast<StereoWindow&>(*canvas_->renderWindow());
+}
+
+void SceneView::setStereo(const StereoOptions& stereo) {
+  stereoWindow().setStereo(*scene_, stereo);
+  renderSoon();
+}
+
 void SceneView::resetView() { look(scene_->lookingFrom()); }
 
 void SceneView::turn(double azimuthDeg, double elevationDeg) {
@@ -243,7 +255,9 @@ QWidget* SceneView::canvas() const { return canvas_; }
 
 QPointF SceneView::onWindow(const QPoint& position) const {
   const double ratio = canvas_->devicePixelRatioF();
-  return {position.x() * ratio, (canvas_->height() - 1 - position.y()) * ratio};
+  const int half = stereoWindow().halved() ? canvas_->width() / 2 : canvas_->width();
+  const int x = position.x() >= half ? position.x() - half : position.x();
+  return {x * ratio, (canvas_->height() - 1 - position.y()) * ratio};
 }
 
 std::optional<std::size_t> SceneView::branchAt(const QPoint& position) const {

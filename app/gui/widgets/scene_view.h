@@ -10,11 +10,14 @@
 
 #include "document/tree_figures.h"
 #include "render/scene.h"
+#include "render/stereo.h"
 
 class QLabel;
 class QVTKOpenGLNativeWidget;
 
 namespace pneuma {
+
+class StereoWindow;
 
 /// "anterior, 10° left": in words, where one looks from.
 QString viewText(ViewDirection direction);
@@ -83,6 +86,9 @@ class SceneView : public QWidget {
 
   ViewDirection lookingFrom() const { return scene_->lookingFrom(); }
 
+  /// Draws for one eye or for two. Clicks count in either half of two pictures side by side.
+  void setStereo(const StereoOptions& stereo);
+
   /// Frames everything again, seen from where one stands.
   void resetView();
 
@@ -130,6 +136,7 @@ class SceneView : public QWidget {
   bool mouseOnMark(QEvent& event);
   QPointF onWindow(const QPoint& position) const;
   std::optional<std::size_t> branchAt(const QPoint& position) const;
+  StereoWindow& stereoWindow() const;
 
   std::unique_ptr<Scene> scene_;
   QVTKOpenGLNativeWidget* canvas_;
