@@ -14,6 +14,11 @@ namespace pneuma {
 /// The six named views, by letter.
 inline constexpr std::array<char, 6> ViewLetters = {'A', 'P', 'L', 'R', 'S', 'I'};
 
+/// The steps, as they are called in the window before it is translated.
+inline constexpr std::array<const char*, 6> StepNames = {
+    QT_TR_NOOP("Open"),    QT_TR_NOOP("Lungs"),     QT_TR_NOOP("Lobes"),
+    QT_TR_NOOP("Airways"), QT_TR_NOOP("Breathing"), QT_TR_NOOP("Export")};
+
 /// So many projects are offered to be opened again.
 inline constexpr int RecentProjects = 8;
 
@@ -30,6 +35,7 @@ struct Actions {
   QAction* saveTree = nullptr;
   QAction* savePicture = nullptr;
   QAction* quit = nullptr;
+  QAction* findCommand = nullptr;
   QAction* undo = nullptr;
   QAction* redo = nullptr;
   QAction* findLungs = nullptr;
@@ -48,10 +54,12 @@ struct Actions {
   QAction* onionSkin = nullptr;   ///< checkable
   QAction* saveBreath = nullptr;
   QAction* cancel = nullptr;
+  std::array<QAction*, StepNames.size()> steps{};  ///< each goes to one; hidden where the step is
   std::array<QAction*, 6> views{};
   QAction* resetView = nullptr;
   SliceActions slices;
   QAction* theme = nullptr;
+  QAction* keys = nullptr;
   QAction* about = nullptr;
 
   /// Those of the fissures whose keys act in the slices.

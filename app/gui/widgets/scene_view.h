@@ -83,6 +83,9 @@ class SceneView : public QWidget {
 
   ViewDirection lookingFrom() const { return scene_->lookingFrom(); }
 
+  /// Puts a point (LPS, mm) in the middle and the axis of turning through it.
+  void centreOn(const Vec3& point);
+
   /// Frames everything again, seen from where one stands.
   void resetView();
 
