@@ -27,7 +27,9 @@ BreathingPanel::BreathingPanel(Document& document, RegionEditor& regions, const 
   column->addWidget(heading(tr("Breathe")));
   model_.bind(document_.breatheOptions());
   column->addWidget(new OptionsForm(
-      model_, {"scenario", "posture", "tidal", "period", "motion", "model", "affected", "frames"}));
+      model_, {"scenario", "posture", "tidal", "period", "motion", "model", "affected", "frames"},
+      tr("After Santhanam 2003 and 2008; what is measured and what is reasoned stands below the "
+         "breath and in its report")));
   column->addWidget(actionButton(actions.breathe, "breathe", "primary"));
   column->addSpacing(4);
   column->addWidget(heading(tr("Stiff and soft parts")));

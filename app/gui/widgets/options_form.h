@@ -20,7 +20,9 @@ class OptionsForm : public QWidget {
 
  public:
   /// @param names of the options to show, in this order
-  OptionsForm(OptionsModel& model, std::vector<std::string> names, QWidget* parent = nullptr);
+  /// @param source of the default values, for the tool tips; may be empty
+  OptionsForm(OptionsModel& model, std::vector<std::string> names, const QString& source = {},
+              QWidget* parent = nullptr);
 
  private:
   void refresh();
@@ -32,6 +34,7 @@ class OptionsForm : public QWidget {
 
   OptionsModel& model_;
   std::vector<std::string> names_;
+  QString source_;
   QGridLayout* grid_;
   bool besideSwitch_ = false;  ///< the last cell taken is a switch with room beside it
 };
