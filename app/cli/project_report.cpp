@@ -58,6 +58,7 @@ Json projectJson(const Project& project) {
                {"fissures_set", state.lobeEdits.fissures.size()},
                {"breathes", state.breath.has_value()},
                {"steps_to_undo", project.undo.size()},
+               {"steps_to_redo", project.redo.size()},
                {"complaints", project.notes},
                {"notes", model.warnings}};
   if (model.ctSource || model.ct) json["ct"] = ctOf(project);
@@ -87,6 +88,9 @@ std::string projectText(const Project& project) {
   }
   if (state.breath) rows.push_back({"breathing", textOf(state.breath->scenario)});
   rows.push_back({"steps to undo", std::to_string(project.undo.size())});
+  if (!project.redo.empty()) {
+    rows.push_back({"steps to redo", std::to_string(project.redo.size())});
+  }
   std::string text;
   for (const auto& row : rows) {
     constexpr std::size_t Width = 16;

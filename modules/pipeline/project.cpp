@@ -44,7 +44,6 @@ namespace fs = std::filesystem;
 constexpr const char* JsonMember = "project.json";
 constexpr const char* ThumbnailMember = "thumbnail.png";
 constexpr std::string_view SchemaStem = "pneuma/project/";
-constexpr std::size_t MostSteps = 20;  ///< of undo: each may hold a tree of its own
 
 /// The CT of a project as it stands in project.json.
 struct StoredCt {
@@ -98,18 +97,29 @@ void addUnknown(Json& json, const Json& unknown) {
   }
 }
 
-/// Steps back to where another CT was open; of the others the last ones.
-std::vector<ProjectStep> savedSteps(const Project& project) {
-  const auto& source = project.state.model.ctSource;
+/// Steps up to where another CT was open, or to one that cannot be saved.
+/// @param first of the steps, which is the nearest to now
+template <class Iterator>
+std::vector<ProjectStep> savedSteps(Iterator first, Iterator last, const CtSource* source,
+                                    std::size_t most) {
   std::vector<ProjectStep> steps;
-  for (auto step = project.undo.rbegin(); step != project.undo.rend(); ++step) {
+  for (auto step = first; step != last; ++step) {
     const LungModel& model = step->state.model;
-    const bool otherCt = model.ctSource && model.ctSource != source;
+    const bool otherCt = model.ctSource && model.ctSource.get() != source;
     const bool unsaved = model.regions && !model.surfaces && model.organ.empty();
-    if (otherCt || unsaved || steps.size() == MostSteps) break;
-    steps.insert(steps.begin(), *step);
+    if (otherCt || unsaved || steps.size() == most) break;
+    steps.push_back(*step);
   }
   return steps;
+}
+
+/// Calls edit(model) for every moment.
+template <class Edit>
+void everyModel(Project& project, const Edit& edit) {
+  edit(project.state.model);
+  for (auto* steps : {&project.undo, &project.redo}) {
+    for (ProjectStep& step : *steps) edit(step.state.model);
+  }
 }
 
 void requireSaved(const LungModel& model) {
@@ -178,13 +188,11 @@ std::shared_ptr<const CtImage> linkedCt(CtSource& source, std::vector<std::strin
 /// Gives every state that had it the CT.
 void putCt(Project& project, const std::shared_ptr<const CtImage>& ct,
            const std::shared_ptr<const CtSource>& source) {
-  const auto put = [&](LungModel& model) {
+  everyModel(project, [&](LungModel& model) {
     if (!model.ctSource) return;
     model.ct = ct;
     model.ctSource = source;
-  };
-  put(project.state.model);
-  for (ProjectStep& step : project.undo) put(step.state.model);
+  });
 }
 
 fs::path folderOf(const fs::path& path) {
@@ -208,7 +216,15 @@ std::vector<ArchiveMember> projectMembers(const Project& project, const fs::path
     for (const auto& [id, object] : project.unknown.fields["objects"].items()) writer.reserve(id);
   }
   const Json app = {{"name", "pneuma"}, {"version", versionText()}, {"commit", commitText()}};
-  writer("schema", std::string(SchemaStem) + std::to_string(ProjectVersion));
+  const CtSource* source = model.ctSource.get();
+  std::vector<ProjectStep> undo =
+      savedSteps(project.undo.rbegin(), project.undo.rend(), source, MostSavedSteps);
+  std::ranges::reverse(undo);
+  const std::vector<ProjectStep> redo =
+      savedSteps(project.redo.begin(), project.redo.end(), source, MostSavedSteps - undo.size());
+  // Programs of version 1 would take what can be done again for something to keep as it is, while
+  // what it refers to changes.
+  writer("schema", std::string(SchemaStem) + (redo.empty() ? "1" : "2"));
   writer("app", app);
   writer("frame", std::string("LPS"));
   writer("units", std::string("mm"));
@@ -223,7 +239,8 @@ std::vector<ArchiveMember> projectMembers(const Project& project, const fs::path
   progress.report(0.6);
   writer("state", project.state);
   progress.report(0.8);
-  writer("undo", savedSteps(project));
+  writer("undo", undo);
+  if (!redo.empty()) writer("redo", redo);
   writer("next", project.next);
   writer("view", project.view);
   std::vector<ArchiveMember> members = std::move(writer.members());
@@ -265,6 +282,7 @@ Project projectOf(std::vector<ArchiveMember> members, const fs::path& folder,
   reader("ct", stored);
   reader("state", project.state);
   reader("undo", project.undo);
+  reader("redo", project.redo);
   reader("next", project.next);
   reader("view", project.view);
   progress.report(0.4);
@@ -282,13 +300,19 @@ Project projectOf(std::vector<ArchiveMember> members, const fs::path& folder,
     if (!stored->path.empty()) source = std::make_shared<const CtSource>(std::move(from));
   }
   putCt(project, ct, source);
-  putRegions(project.state.model);
-  for (ProjectStep& step : project.undo) putRegions(step.state.model);
+  everyModel(project, putRegions);
   if (stored && stored->packed) project.ctStorage = CtStorage::Packed;
   project.unknown.members = reader.restOfMembers();
   project.unknown.fields = reader.rest();
   progress.report(1.0);
   return project;
+}
+
+void replaceCtSource(Project& project, const std::shared_ptr<const CtSource>& before,
+                     const std::shared_ptr<const CtSource>& after) {
+  everyModel(project, [&](LungModel& model) {
+    if (model.ctSource == before) model.ctSource = after;
+  });
 }
 
 void writeProject(const fs::path& path, const Project& project, const Progress& progress) {

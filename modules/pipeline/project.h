@@ -28,9 +28,9 @@ struct ProjectState {
   std::optional<BreatheOptions> breath;                     ///< with which the lungs breathe
 };
 
-/// A moment that undo goes back to.
+/// A moment that undo goes back to, or redo goes on to.
 struct ProjectStep {
-  std::string name;  ///< what was done next, such as "grow airways"
+  std::string name;  ///< what was done between it and the moment nearer to now: "grow airways"
   ProjectState state;
 };
 
@@ -57,6 +57,7 @@ enum class CtStorage {
 struct Project {
   ProjectState state;
   std::vector<ProjectStep> undo;  ///< oldest first
+  std::vector<ProjectStep> redo;  ///< what was undone last first
   NextOptions next;
   Json view = Json::object();  ///< what the window shows, and from where
   std::string thumbnail;       ///< a PNG; may be empty
@@ -65,8 +66,16 @@ struct Project {
   std::vector<std::string> notes;  ///< sentences about opening it, not saved
 };
 
-/// The first version of the schema of project.json that this program does not read is one more.
-inline constexpr int ProjectVersion = 1;
+/// The newest version of the schema of project.json that this program reads. A file has the oldest
+/// one whose programs do not misread it: 1, or 2 where something can be done again.
+inline constexpr int ProjectVersion = 2;
+
+/// So many steps are saved, those to undo and those to do again together.
+inline constexpr std::size_t MostSavedSteps = 100;
+
+/// Gives every moment that has the one CT's source the other.
+void replaceCtSource(Project& project, const std::shared_ptr<const CtSource>& before,
+                     const std::shared_ptr<const CtSource>& after);
 
 /// Saves a project (docs/project-file.md): the old file whole or the new one at any moment, the one
 /// before as NAME.pneuma~. A CT that was packed before stays so.

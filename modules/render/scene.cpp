@@ -377,6 +377,13 @@ void Scene::look(ViewDirection direction) {
   state_->frame(size);
 }
 
+void Scene::centreOn(const Vec3& point) {
+  vtkCamera* camera = state_->renderer->GetActiveCamera();
+  const Vec3 eye = position(camera) + point - Vec3(camera->GetFocalPoint());
+  camera->SetFocalPoint(point.data());
+  camera->SetPosition(eye.data());
+}
+
 ViewDirection Scene::lookingFrom() const {
   vtkCamera* camera = state_->renderer->GetActiveCamera();
   return viewDirectionOf(towardsEye(camera), Vec3(camera->GetViewUp()));

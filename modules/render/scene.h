@@ -166,6 +166,9 @@ class Scene {
   /// the same is framed again, until somebody else moves the camera.
   void look(ViewDirection direction);
 
+  /// Moves the camera so that a point (LPS, mm) is in the middle and turning is about it.
+  void centreOn(const Vec3& point);
+
   /// Where the camera stands now, for the legend of a screenshot and for saving.
   ViewDirection lookingFrom() const;
 

@@ -107,6 +107,21 @@ TEST_F(GrowthPanelTest, EveryBuiltInOrganIsInTheMenus) {
   for (const QAction* action : menu->actions()) EXPECT_TRUE(action->isEnabled());
 }
 
+TEST_F(GrowthPanelTest, EveryOptionTellsItsRangeItsDefaultAndItsPaper) {
+  openOrgan("actionOrgan_simple");
+  click("method_kitaoka");
+  const QString tip = find<QWidget>("option_rotation").toolTip();
+  EXPECT_TRUE(tip.contains("\n-180 to 180 deg\n")) << tip.toStdString();
+  EXPECT_TRUE(tip.contains("\nDefault: 90 deg\n")) << tip.toStdString();
+  EXPECT_TRUE(tip.contains("Kitaoka H, Takaki R, Suki B.")) << tip.toStdString();
+  click("method_centroid");
+  const QString other = find<QWidget>("option_min-angle").toolTip();
+  EXPECT_TRUE(other.contains("Huang XY")) << other.toStdString();
+  const QString breath = find<QWidget>("option_period").toolTip();
+  EXPECT_TRUE(breath.contains("0 to 60 s")) << breath.toStdString();
+  EXPECT_TRUE(breath.contains("Santhanam")) << breath.toStdString();
+}
+
 TEST_F(GrowthPanelTest, AnOrganGrowsAndItsEfficiencyIsShown) {
   openOrgan("actionOrgan_simple");
   EXPECT_FALSE(find<QWidget>("efficiency").isVisible());

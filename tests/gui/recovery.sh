@@ -56,4 +56,48 @@ if ls "$kept"/*.pneuma >/dev/null 2>&1; then
   "$DESKTOP" --play "$folder/discard.json" || fail "it cannot be thrown away"
 fi
 ls "$kept"/*.pneuma >/dev/null 2>&1 && fail "something is left"
+
+# Killed at any moment while steps follow one another: what was kept is whole, or nothing was kept yet. KILLS says
+# how often, SEED when.
+RANDOM=${SEED:-8}
+cat >"$folder/steps.json" <<END
+[{"do": "trigger", "name": "actionSample"}, {"do": "wait"},
+ {"do": "click", "name": "stepAirways"}, {"do": "click", "name": "method_centroid"},
+ $(for n in $(seq 40); do
+  printf '{"do": "set", "name": "option_terminals", "value": %d}, ' $((200 + 150 * n))
+  printf '{"do": "click", "name": "grow"}, {"do": "wait"}, {"do": "pause", "seconds": 0.3},\n'
+done)
+ {"do": "pause", "seconds": 300}]
+END
+touch -d '1 hour ago' "$kept/.pneuma-dead.part"
+: >"$kept/.pneuma-alive.part"
+whole=0 nothing=0 half=0
+for round in $(seq "${KILLS:-3}"); do
+  "$DESKTOP" --play "$folder/steps.json" &
+  window=$!
+  for _ in $(seq 600); do
+    ls "$kept"/*.lock >/dev/null 2>&1 && break
+    kill -0 $window 2>/dev/null || fail "the window ended on its own"
+    sleep 0.1
+  done
+  sleep "$((RANDOM % ${LATEST:-9})).$((RANDOM % 10))"
+  kill -0 $window 2>/dev/null || fail "the window ended on its own"
+  kill -9 $window
+  wait $window 2>/dev/null
+  ls -A "$kept" | grep -v alive | grep -q '\.part$' && half=$((half + 1))
+  if ls "$kept"/*.pneuma >/dev/null 2>&1; then
+    whole=$((whole + 1))
+    for file in "$kept"/*.pneuma; do
+      "$PNEUMA" info "$file" >"$folder/info.txt" || fail "round $round: $file is not whole"
+      grep -q 'steps to undo' "$folder/info.txt" || fail "round $round: $file has no steps"
+    done
+  else
+    nothing=$((nothing + 1))
+  fi
+  [ ! -e "$kept/.pneuma-dead.part" ] || fail "what was half written an hour ago is still there"
+  [ -e "$kept/.pneuma-alive.part" ] || fail "what another window may be writing was taken away"
+  rm -f "$kept"/*.pneuma "$kept"/*.pneuma~ "$kept"/*.lock "$kept"/.pneuma-????????*.part
+done
+echo "killed $((whole + nothing)) times: $whole whole, $nothing before anything was kept, $half while writing"
+[ $whole -gt 0 ] || fail "nothing was ever kept"
 echo "done"

@@ -207,6 +207,111 @@ TEST(Project, ComesBackAsItWas) {
   expectSame(projectMembers(opened, folder.path()), projectMembers(saved, folder.path()));
 }
 
+TEST(Project, KeepsWhatCanBeDoneAgain) {
+  const TempFolder folder;
+  Project saved = everything();
+  ProjectStep next{"breathe", saved.state};
+  next.state.breath->tidalMl = 612.5;
+  ProjectStep afterThat{"grow airways", next.state};
+  afterThat.state.model.growth = nullptr;
+  saved.redo = {next, afterThat};
+  writeProject(folder / "case.pneuma", saved);
+  EXPECT_EQ(jsonIn(folder / "case.pneuma")["schema"], "pneuma/project/2")
+      << "programs that would misread it must not open it";
+  const Project opened = readProject(folder / "case.pneuma");
+  ASSERT_EQ(opened.redo.size(), 2U);
+  EXPECT_EQ(opened.redo[0].name, "breathe");
+  EXPECT_EQ(opened.redo[0].state.breath->tidalMl, 612.5);
+  EXPECT_EQ(opened.redo[0].state.model.growth, opened.state.model.growth);
+  EXPECT_EQ(opened.redo[1].name, "grow airways");
+  EXPECT_EQ(opened.redo[1].state.model.growth, nullptr);
+  expectSame(projectMembers(opened, folder.path()), projectMembers(saved, folder.path()));
+  // Without it the file is one of before.
+  saved.redo.clear();
+  writeProject(folder / "other.pneuma", saved);
+  EXPECT_EQ(jsonIn(folder / "other.pneuma")["schema"], "pneuma/project/1");
+}
+
+TEST(Project, KeepsAHundredStepsNearestToNow) {
+  Project saved;
+  saved.state.name = "now";
+  for (int i = 0; i < 70; ++i) saved.undo.push_back({"undo " + std::to_string(i), saved.state});
+  for (int i = 0; i < 70; ++i) saved.redo.push_back({"redo " + std::to_string(i), saved.state});
+  const TempFolder folder;
+  const auto kept = [&] {
+    return projectOf(projectMembers(saved, folder.path()), folder.path(), "'case.pneuma'");
+  };
+  Project opened = kept();
+  EXPECT_EQ(opened.undo.size(), 70U);
+  ASSERT_EQ(opened.redo.size(), 30U);
+  EXPECT_EQ(opened.redo.front().name, "redo 0");
+  for (int i = 70; i < 140; ++i) saved.undo.push_back({"undo " + std::to_string(i), saved.state});
+  opened = kept();
+  ASSERT_EQ(opened.undo.size(), 100U);
+  EXPECT_EQ(opened.undo.front().name, "undo 40");
+  EXPECT_EQ(opened.undo.back().name, "undo 139");
+  EXPECT_TRUE(opened.redo.empty());
+}
+
+TEST(Project, HoldsWhatIsAlikeOnce) {
+  const TempFolder folder;
+  Project saved = everything();
+  const std::size_t before = projectMembers(saved, folder.path()).size();
+  // The same lobes and the same tree made anew, as growing again with the same options does.
+  ProjectStep again{"split into lobes", saved.state};
+  LungModel& model = again.state.model;
+  model.lobes = std::make_shared<const LobesOfLungs>(*model.lobes);
+  model.growth = std::make_shared<const Growth>(*model.growth);
+  std::vector<LobeSurface> copies = *model.surfaces;
+  for (LobeSurface& copy : copies) copy.mesh = std::make_shared<const TriangleMesh>(*copy.mesh);
+  model.surfaces = std::make_shared<const std::vector<LobeSurface>>(copies);
+  saved.undo.push_back(again);
+  const auto members = projectMembers(saved, folder.path());
+  EXPECT_EQ(members.size(), before);
+  const Project opened = projectOf(members, folder.path(), "'case.pneuma'");
+  EXPECT_EQ(opened.undo.back().state.model.growth, opened.state.model.growth);
+  EXPECT_EQ(opened.undo.back().state.model.surfaces, opened.state.model.surfaces);
+  // A point that is another makes another surface, and of that one surface alone.
+  auto moved = std::make_shared<TriangleMesh>(*copies[0].mesh);
+  moved->points[0].x() = std::nextafter(moved->points[0].x(), 1e9);
+  copies[0].mesh = moved;
+  saved.undo.back().state.model.surfaces = std::make_shared<const std::vector<LobeSurface>>(copies);
+  const auto more = projectMembers(saved, folder.path());
+  EXPECT_EQ(more.size(), before + 1);
+  const Project other = projectOf(more, folder.path(), "'case.pneuma'");
+  EXPECT_EQ(other.undo.back().state.model.surfaces->front().mesh->points, moved->points);
+  EXPECT_EQ(other.state.model.surfaces->front().mesh->points,
+            saved.state.model.surfaces->front().mesh->points);
+}
+
+TEST(Project, OpensWhatVersion1Saved) {
+  const std::filesystem::path file = PNEUMA_DATA_OF_TESTS "/project_version_1.pneuma";
+  EXPECT_EQ(jsonIn(file)["schema"], "pneuma/project/1");
+  const Project opened = readProject(file);
+  EXPECT_TRUE(opened.notes.empty());
+  EXPECT_TRUE(opened.redo.empty());
+  EXPECT_EQ(opened.state.name, "Sphere (built in)");
+  ASSERT_EQ(opened.undo.size(), 3U);
+  EXPECT_EQ(opened.undo[0].name, "open the organ Sphere");
+  EXPECT_EQ(opened.undo[1].name, "grow airways");
+  EXPECT_EQ(opened.undo[2].name, "grow airways");
+  EXPECT_EQ(opened.undo[0].state.model.organ, "");
+  ASSERT_NE(opened.undo[2].state.model.growth, nullptr);
+  EXPECT_LT(treeOf(opened.undo[2].state.model)->size(), treeOf(opened.state.model)->size());
+  EXPECT_FALSE(opened.thumbnail.empty());
+  // And back: to the same trees, in a file that programs of version 1 open.
+  const TempFolder folder;
+  writeProject(folder / "case.pneuma", opened);
+  const auto before = readArchive(file);
+  const auto after = readArchive(folder / "case.pneuma");
+  EXPECT_EQ(jsonIn(folder / "case.pneuma")["schema"], "pneuma/project/1");
+  ASSERT_EQ(after.size(), before.size());
+  for (std::size_t i = 1; i < before.size(); ++i) {
+    EXPECT_EQ(after[i].name, before[i].name);
+    EXPECT_TRUE(after[i].content == before[i].content) << before[i].name;
+  }
+}
+
 TEST(Project, HoldsNoFolders) {
   const TempFolder folder;
   for (const ArchiveMember& member : projectMembers(everything(), folder.path())) {
@@ -319,7 +424,7 @@ TEST_F(ProjectCtTest, RefusesWhatItCannotOpen) {
     return sentenceOf(file(), code);
   };
   Json changed = json;
-  changed["schema"] = "pneuma/project/2";
+  changed["schema"] = "pneuma/project/3";
   EXPECT_THAT(refused(changed, ExitCode::Unsupported), HasSubstr("newer Pneuma"));
   changed["schema"] = "pneuma/recipe/1";
   EXPECT_THAT(refused(changed, ExitCode::InputInvalid), HasSubstr("no project"));

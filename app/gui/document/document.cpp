@@ -1,9 +1,11 @@
 #include "document/document.h"
 
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
 #include "core/seconds.h"
+#include "document/held_bytes.h"
 #include "document/text.h"
 #include "io/atomic_file.h"
 #include "io/tree_file.h"
@@ -16,7 +18,7 @@ namespace pneuma {
 
 namespace {
 
-constexpr std::size_t UndoSteps = 100;
+constexpr std::size_t UndoSteps = MostSavedSteps;  ///< what is there is saved, too
 
 QString nameOf(const LungModel& model) {
   if (model.inputs.empty()) return {};
@@ -270,11 +272,18 @@ void Document::become(Snapshot next, const QString& stepName, StepKind kind) {
     ctStorage_ = CtStorage::Linked;
   }
   undo_.push_back({stepName, std::move(snapshot_)});
-  if (undo_.size() > UndoSteps) undo_.erase(undo_.begin());
   redo_.clear();
   snapshot_ = std::move(next);
+  forgetOldSteps();
   followRegions();
   emit changed();
+}
+
+void Document::forgetOldSteps() {
+  std::vector<const Snapshot*> steps;
+  for (auto step = undo_.rbegin(); step != undo_.rend(); ++step) steps.push_back(&step->snapshot);
+  const std::size_t kept = std::min(UndoSteps, keptWithin(UndoBytes, snapshot_, steps));
+  undo_.erase(undo_.begin(), undo_.end() - static_cast<std::ptrdiff_t>(kept));
 }
 
 void Document::undo() {

@@ -26,6 +26,9 @@ class Document : public QObject {
   Q_OBJECT
 
  public:
+  /// What the steps to undo may hold beside what is shown.
+  static constexpr std::size_t UndoBytes = std::size_t{512} << 20;
+
   explicit Document(QObject* parent = nullptr);
 
   const Snapshot& snapshot() const { return snapshot_; }
@@ -191,7 +194,8 @@ class Document : public QObject {
                    std::string thumbnail);
 
   /// Everything as it is now, for saveProject() and for recovery; no view and no thumbnail.
-  Project projectNow() const;
+  /// @param historyBytes the steps to undo and redo that are left out hold more than that
+  Project projectNow(std::size_t historyBytes = UndoBytes) const;
 
   /// Opens what was kept of work that was lost: it counts as not saved. Where it would have been
   /// saved is the view's "project".
@@ -262,6 +266,8 @@ class Document : public QObject {
 
   void findLungs(StepKind kind);
   void become(Snapshot next, const QString& stepName, StepKind kind = StepKind::Work);
+  /// Keeps the last steps to undo: 100, or as many as hold 512 MB beside what is shown.
+  void forgetOldSteps();
   void openProject(const std::filesystem::path& path, Opened how);
   void showProject(Project project, const std::filesystem::path& path, Opened how);
   /// Remembers the hash of the CT, which takes a while to find.

@@ -1,8 +1,10 @@
+#include <algorithm>
 #include <utility>
 
 #include "core/error.h"
 #include "document/breath.h"
 #include "document/document.h"
+#include "document/held_bytes.h"
 #include "document/project_snapshot.h"
 #include "document/text.h"
 #include "pipeline/ct_source.h"
@@ -18,11 +20,19 @@ bool Document::workUnsaved() const {
   return !(onlyGrown && treeSaved());
 }
 
-Project Document::projectNow() const {
+Project Document::projectNow(std::size_t historyBytes) const {
   Project project;
   project.state = stateOf(snapshot_);
-  for (const Step& step : undo_) {
-    project.undo.push_back({step.name.toStdString(), stateOf(step.snapshot)});
+  std::vector<const Snapshot*> nearest;
+  for (auto step = undo_.rbegin(); step != undo_.rend(); ++step) nearest.push_back(&step->snapshot);
+  for (auto step = redo_.rbegin(); step != redo_.rend(); ++step) nearest.push_back(&step->snapshot);
+  const auto kept = static_cast<std::ptrdiff_t>(keptWithin(historyBytes, snapshot_, nearest));
+  const auto undos = std::min(kept, static_cast<std::ptrdiff_t>(undo_.size()));
+  for (auto step = undo_.end() - undos; step != undo_.end(); ++step) {
+    project.undo.push_back({step->name.toStdString(), stateOf(step->snapshot)});
+  }
+  for (auto step = redo_.rbegin(); step != redo_.rbegin() + (kept - undos); ++step) {
+    project.redo.push_back({step->name.toStdString(), stateOf(step->snapshot)});
   }
   project.next = {optionsOf_, method_, lungOptions_, breatheOptions_};
   project.unknown = unknown_;
@@ -54,10 +64,7 @@ void Document::saveProject(const std::filesystem::path& path, CtStorage ct, Json
                if (before && project.state.model.ct) {
                  source = std::make_shared<const CtSource>(
                      hashed(*before, progress.part(0.0, 0.4, "hashing the CT")));
-                 project.state.model.ctSource = source;
-                 for (ProjectStep& step : project.undo) {
-                   if (step.state.model.ctSource == before) step.state.model.ctSource = source;
-                 }
+                 replaceCtSource(project, before, source);
                }
                writeProject(path, project, progress.part(0.4, 1.0, "saving"));
                return JobQueue::Continuation(
@@ -97,12 +104,22 @@ void Document::openProject(const std::filesystem::path& path, Opened how) {
                                 problem.what());
       }
     }
+    std::vector<Step> redo;
+    last = now;
+    for (const ProjectStep& step : project.redo) {
+      progress.throwIfStopped();
+      last = snapshotOf(step.state, last);
+      redo.insert(redo.begin(), {qtText(step.name), last});
+    }
     project.undo.clear();
+    project.redo.clear();
     return JobQueue::Continuation([this, path, how, project = std::move(project),
-                                   undo = std::move(undo), now = std::move(now)]() mutable {
+                                   undo = std::move(undo), redo = std::move(redo),
+                                   now = std::move(now)]() mutable {
       undo_ = std::move(undo);
-      redo_.clear();
+      redo_ = std::move(redo);
       for (Step& step : undo_) step.snapshot.revision = ++lastRevision_;
+      for (Step& step : redo_) step.snapshot.revision = ++lastRevision_;
       snapshot_ = std::move(now);
       showProject(std::move(project), path, how);
     });

@@ -29,6 +29,7 @@ class OptionsModel : public QAbstractTableModel {
     bool whole = false;                ///< whole numbers only
     std::vector<std::string> choices;  ///< of an enum; empty for numbers
     std::string value;
+    std::string standard;  ///< the value that nobody has set
   };
 
   using QAbstractTableModel::QAbstractTableModel;
@@ -81,12 +82,13 @@ class OptionsModel : public QAbstractTableModel {
 template <HasFields Options>
 std::vector<OptionsModel::Row> OptionsModel::rowsOf(const Options& options) {
   std::vector<Row> rows;
+  const Options standard{};
   forEachField<Options>([&](const auto& field) {
     using Value = typename std::remove_cvref_t<decltype(field)>::value_type;
-    Row row{std::string(field.name),        std::string(field.unit),
-            std::string(field.help),        field.range,
-            std::is_integral_v<Value>,      {},
-            textOf(options.*(field.member))};
+    Row row{std::string(field.name),         std::string(field.unit),
+            std::string(field.help),         field.range,
+            std::is_integral_v<Value>,       {},
+            textOf(options.*(field.member)), textOf(standard.*(field.member))};
     if constexpr (std::is_enum_v<Value>) {
       for (const auto choice : choices(Value{})) row.choices.emplace_back(choice);
     }

@@ -16,6 +16,9 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int SoonMs = 500;  ///< steps that follow one another faster are kept together
+constexpr qint64 ForgottenSeconds = 600;  ///< nothing is written for so long
+/// Of the steps to undo that are kept with the work: a hundred would take longer than an edit does.
+constexpr std::size_t HistoryBytes = std::size_t{64} << 20;
 
 QString textOf(const fs::path& path) { return qtText(path.string()); }
 
@@ -38,6 +41,17 @@ void removeKept(const fs::path& file) {
   fs::remove(file.string() + "~", ignored);
 }
 
+/// Takes away what a program that was killed while it wrote left half written.
+void removeForgotten(const fs::path& folder) {
+  const QDateTime before = QDateTime::currentDateTime().addSecs(-ForgottenSeconds);
+  const auto parts =
+      QDir(textOf(folder))
+          .entryInfoList({QStringLiteral(".pneuma-*.part")}, QDir::Files | QDir::Hidden);
+  for (const QFileInfo& part : parts) {
+    if (part.lastModified() < before) QFile::remove(part.filePath());
+  }
+}
+
 QString lockOf(const fs::path& file) { return textOf(file) + QStringLiteral(".lock"); }
 
 /// Saves the project, and returns where its CT comes from with its hash.
@@ -49,10 +63,7 @@ std::shared_ptr<const CtSource> write(const fs::path& file, Project project,
   if (source && project.state.model.ct) {
     const auto plain =
         std::exchange(source, std::make_shared<const CtSource>(hashed(*source, progress)));
-    project.state.model.ctSource = source;
-    for (ProjectStep& step : project.undo) {
-      if (step.state.model.ctSource == plain) step.state.model.ctSource = source;
-    }
+    replaceCtSource(project, plain, source);
   }
   writeProject(file, project, progress);
   return source;
@@ -74,6 +85,7 @@ Recovery::Recovery(Document& document, const fs::path& folder, QObject* parent)
   fs::create_directories(folder, error);
   fs::permissions(folder, fs::perms::owner_all, error);
   if (error) return;
+  removeForgotten(folder);
   file_ = folder / (QUuid::createUuid().toString(QUuid::WithoutBraces).toStdString() + ".pneuma");
   lock_ = std::make_unique<QLockFile>(lockOf(file_));
   lock_->setStaleLockTime(0);
@@ -113,14 +125,11 @@ void Recovery::keep() {
     return;
   }
   kept_ = revision;
-  Project project = document_.projectNow();
+  Project project = document_.projectNow(HistoryBytes);
   project.view["project"] = document_.projectPath().string();
   // A CT is hashed once.
   if (hashed_ && plain_ == project.state.model.ctSource) {
-    project.state.model.ctSource = hashed_;
-    for (ProjectStep& step : project.undo) {
-      if (step.state.model.ctSource == plain_) step.state.model.ctSource = hashed_;
-    }
+    replaceCtSource(project, plain_, hashed_);
   } else {
     plain_ = project.state.model.ctSource;
     hashed_ = nullptr;

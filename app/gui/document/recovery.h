@@ -21,7 +21,8 @@ struct LostWork {
 };
 
 /// Keeps work that is not saved in a file of its own, away from the user's files, a moment after
-/// every step and on a thread of its own, so that nothing waits for it. Once it is saved, or given
+/// every step and on a thread of its own, so that nothing waits for it; with it the last steps to
+/// undo, as many as hold 64 MB. Once it is saved, or given
 /// up on purpose, that file goes away.
 class Recovery : public QObject {
   Q_OBJECT

@@ -89,6 +89,7 @@ Actions makeActions(QWidget* window) {
   a.copyCommand =
       action(window, "actionCopyCommand", tr("Copy as co&mmand"), {keys("Ctrl+Shift+C")});
   a.quit = action(window, "actionQuit", tr("&Quit"), {keys("Ctrl+Q")});
+  a.findCommand = action(window, "actionFindCommand", tr("Find a &command..."), {keys("Ctrl+K")});
   a.undo = action(window, "actionUndo", tr("&Undo"), {keys("Ctrl+Z")});
   a.redo = action(window, "actionRedo", tr("&Redo"), {keys("Ctrl+Shift+Z"), keys("Ctrl+Y")});
   a.findLungs = action(window, "actionFindLungs", tr("Find &lungs"), {keys("Ctrl+L")}, "lungs");
@@ -102,6 +103,10 @@ Actions makeActions(QWidget* window) {
   a.onionSkin->setCheckable(true);
   a.saveBreath = action(window, "actionSaveBreath", tr("Save &breath..."), {}, "save");
   a.cancel = action(window, "actionCancel", tr("&Cancel the running job"), {keys("Esc")}, "close");
+  for (std::size_t i = 0; i < StepNames.size(); ++i) {
+    const std::string objectName = std::string("actionStep") + StepNames[i];
+    a.steps[i] = action(window, objectName.c_str(), tr("Step: %1").arg(tr(StepNames[i])));
+  }
   static const std::array<const char*, 6> names = {
       QT_TR_NOOP("&Anterior"), QT_TR_NOOP("&Posterior"), QT_TR_NOOP("&Left"),
       QT_TR_NOOP("&Right"),    QT_TR_NOOP("&Superior"),  QT_TR_NOOP("&Inferior")};
@@ -115,6 +120,7 @@ Actions makeActions(QWidget* window) {
   a.slices = makeSliceActions(window);
   a.theme = action(window, "actionTheme", tr("&Light theme"), {});
   a.theme->setCheckable(true);
+  a.keys = action(window, "actionKeys", tr("&Keys"), {keys("?")});
   a.about = action(window, "actionAbout", tr("&About Pneuma"));
   return a;
 }
@@ -140,7 +146,7 @@ void fillMenus(QMenuBar& bar, const Actions& a) {
   file->addSeparator();
   file->addAction(a.quit);
   QMenu* edit = bar.addMenu(QObject::tr("&Edit"));
-  edit->addActions({a.undo, a.redo});
+  edit->addActions({a.undo, a.redo, a.findCommand});
   edit->addSeparator();
   edit->addAction(a.copyCommand);
   edit->addSeparator();
@@ -148,6 +154,8 @@ void fillMenus(QMenuBar& bar, const Actions& a) {
   edit->addSeparator();
   edit->addActions({a.findLungs, a.splitLobes, a.grow, a.breathe, a.cancel});
   QMenu* view = bar.addMenu(QObject::tr("&View"));
+  QMenu* steps = view->addMenu(QObject::tr("S&teps"));
+  for (QAction* step : a.steps) steps->addAction(step);
   for (QAction* named : a.views) view->addAction(named);
   view->addSeparator();
   view->addAction(a.resetView);
@@ -155,7 +163,7 @@ void fillMenus(QMenuBar& bar, const Actions& a) {
   view->addActions({a.playBreath, a.onionSkin, a.theme});
   fillSliceMenu(*bar.addMenu(QObject::tr("&Slices")), a.slices);
   QMenu* help = bar.addMenu(QObject::tr("&Help"));
-  help->addAction(a.about);
+  help->addActions({a.keys, a.about});
 }
 
 }  // namespace pneuma

@@ -16,6 +16,11 @@ class StereoMenu;
 /// The six named views, by letter.
 inline constexpr std::array<char, 6> ViewLetters = {'A', 'P', 'L', 'R', 'S', 'I'};
 
+/// The steps, as they are called in the window before it is translated.
+inline constexpr std::array<const char*, 6> StepNames = {
+    QT_TR_NOOP("Open"),    QT_TR_NOOP("Lungs"),     QT_TR_NOOP("Lobes"),
+    QT_TR_NOOP("Airways"), QT_TR_NOOP("Breathing"), QT_TR_NOOP("Export")};
+
 /// So many projects are offered to be opened again.
 inline constexpr int RecentProjects = 8;
 
@@ -34,6 +39,7 @@ struct Actions {
   QAction* exportCase = nullptr;
   QAction* copyCommand = nullptr;  ///< of the step that is shown
   QAction* quit = nullptr;
+  QAction* findCommand = nullptr;
   QAction* undo = nullptr;
   QAction* redo = nullptr;
   QAction* findLungs = nullptr;
@@ -52,11 +58,13 @@ struct Actions {
   QAction* onionSkin = nullptr;   ///< checkable
   QAction* saveBreath = nullptr;
   QAction* cancel = nullptr;
+  std::array<QAction*, StepNames.size()> steps{};  ///< each goes to one; hidden where the step is
   std::array<QAction*, 6> views{};
   QAction* resetView = nullptr;
   StereoMenu* stereo = nullptr;
   SliceActions slices;
   QAction* theme = nullptr;
+  QAction* keys = nullptr;
   QAction* about = nullptr;
 
   /// Those of the fissures whose keys act in the slices.

@@ -30,6 +30,8 @@ BreathingPanel::BreathingPanel(Document& document, RegionEditor& regions, const 
   model_.bind(document_.breatheOptions());
   auto* form = new OptionsForm(
       model_, {"scenario", "posture", "tidal", "period", "motion", "model", "affected", "frames"},
+      tr("After Santhanam 2003 and 2008; what is measured and what is reasoned stands below the "
+         "breath and in its report"),
       NarrowLabelWidth);
   for (const char* name : {"option_tidal", "option_period"}) {
     form->findChild<QDoubleSpinBox*>(QString::fromUtf8(name))

@@ -9,6 +9,7 @@
 
 #include "document/document.h"
 #include "document/option_layout.h"
+#include "document/text.h"
 #include "widgets/heading.h"
 #include "widgets/options_form.h"
 
@@ -42,10 +43,15 @@ void GrowthForm::rebuild() {
   }
   method_ = document_.growthMethodIndex();
   std::visit([this](const auto& options) { model_.bind(options); }, document_.growthOptions());
-  column_->addWidget(new OptionsForm(model_, optionLayout(growthMethods()[method_]).usual));
+  column_->addWidget(
+      new OptionsForm(model_, optionLayout(growthMethods()[method_]).usual, source()));
   column_->addWidget(makeLinks());
   column_->addWidget(makeAdvanced());
   follow();
+}
+
+QString GrowthForm::source() const {
+  return tr("Method: %1").arg(qtText(growthMethods()[method_].citation));
 }
 
 QWidget* GrowthForm::makeLinks() {
@@ -97,7 +103,7 @@ QWidget* GrowthForm::makeAdvanced() {
       column->addSpacing(4);
       column->addWidget(heading(group.title));
     }
-    column->addWidget(new OptionsForm(model_, group.names));
+    column->addWidget(new OptionsForm(model_, group.names, source()));
   }
   if (!advancedShown_) advanced->hide();
   connect(this, &GrowthForm::advancedToggled, advanced, &QWidget::setVisible);

@@ -28,6 +28,8 @@ class GrowthForm : public QWidget {
   void rebuild();
   void follow();
   void takeOptions();
+  /// The paper of the method, for tool tips.
+  QString source() const;
   QWidget* makeLinks();
   QWidget* makeAdvanced();
 

@@ -185,16 +185,11 @@ void MainWindow::showSteps() {
   steps_[LungsStep]->setVisible(mayComeByCt);
   steps_[LobesStep]->setVisible(mayComeByCt || wholeLungsOf(model));
   int number = 0;
-  for (StepButton* step : steps_) {
-    if (!step->isHidden()) step->setNumber(++number);
-  }
-}
-
-void MainWindow::goToVisible(int place) {
-  for (int i = 0; i < StepCount; ++i) {
-    if (steps_[static_cast<std::size_t>(i)]->isHidden() || place-- > 0) continue;
-    goTo(static_cast<Step>(i));
-    return;
+  for (std::size_t i = 0; i < steps_.size(); ++i) {
+    const bool there = !steps_[i]->isHidden();
+    if (there) steps_[i]->setNumber(++number);
+    actions_.steps[i]->setVisible(there);
+    actions_.steps[i]->setShortcut(there ? QKeySequence(QString::number(number)) : QKeySequence());
   }
 }
 

@@ -17,6 +17,7 @@
 #include "document/slice_views.h"
 #include "document/structure_model.h"
 #include "widgets/actions.h"
+#include "widgets/commands.h"
 #include "widgets/theme.h"
 
 class QLabel;
@@ -27,12 +28,14 @@ namespace pneuma {
 
 class BreathBar;
 class BreathChart;
+class CommandPalette;
 class CtViews;
 class ErrorCard;
 class ExportPanel;
 struct ShellCommand;
 class FissureViews;
 class GenerationChart;
+class KeysOverlay;
 class LungsPanel;
 class OpenPanel;
 class SceneView;
@@ -99,11 +102,13 @@ class MainWindow : public QMainWindow {
   void connectFissures();
   void connectBreathing();
   void connectExport();
+  void connectCommands();
 
   void goTo(Step step);
   /// Shows the step for lungs where there may be a CT, and numbers the steps.
   void showSteps();
-  void goToVisible(int place);
+  /// What can be done with the structures that are there.
+  std::vector<Command> structureCommands();
   void showSnapshot();
   void showScene();
   void updateActions();
@@ -192,6 +197,8 @@ class MainWindow : public QMainWindow {
   QStackedWidget* charts_ = nullptr;
   GenerationChart* chart_ = nullptr;
   StatusStrip* status_ = nullptr;
+  CommandPalette* palette_ = nullptr;
+  KeysOverlay* keysOverlay_ = nullptr;
 };
 
 }  // namespace pneuma

@@ -98,21 +98,21 @@ void MainWindow::updateBreathingActions() {
   const bool busy = document_.jobs().busy();
   const bool lungs = document_.canBreathe();
   const bool breath = document_.snapshot().breath != nullptr;
-  actions_.breathe->setEnabled(lungs && !busy);
-  actions_.breathe->setToolTip(busy    ? tr("A job is running")
-                               : lungs ? tr("Make lungs and airways breathe")
-                                       : tr("Open lobes or lungs first"));
-  actions_.saveBreath->setEnabled(breath && !busy);
-  actions_.saveBreath->setToolTip(breath ? tr("A frame for every moment, for ParaView")
-                                         : tr("Nothing breathes yet"));
-  actions_.onionSkin->setEnabled(player_.breath() != nullptr);
+  const QString wait = tr("A job is running");
+  allow(*actions_.breathe, lungs && !busy, tr("Make lungs and airways breathe"),
+        busy ? wait : tr("Open lobes or lungs first"));
+  allow(*actions_.saveBreath, breath && !busy, tr("A frame for every moment, for ParaView"),
+        breath ? wait : tr("Nothing breathes yet"));
+  const bool here = player_.breath() != nullptr;
+  const QString still = breath ? tr("Go to the step Breathing first") : tr("Nothing breathes yet");
+  allow(*actions_.onionSkin, here,
+        tr("Show where the lungs are at the ends of expiration and inspiration, too"), still);
   actions_.onionSkin->setChecked(player_.onionSkin());
-  actions_.onionSkin->setToolTip(
-      tr("Show where the lungs are at the ends of expiration and inspiration, too"));
-  actions_.playBreath->setEnabled(player_.breath() != nullptr);
+  allow(*actions_.playBreath, here,
+        player_.playing() ? tr("Stand still (Space in the 3-D view)")
+                          : tr("Play (Space in the 3-D view)"),
+        still);
   actions_.playBreath->setChecked(player_.playing());
-  actions_.playBreath->setToolTip(player_.playing() ? tr("Stand still (Space in the 3-D view)")
-                                                    : tr("Play (Space in the 3-D view)"));
 }
 
 void MainWindow::updateBreathingStep() {

@@ -3,7 +3,6 @@
 #include <QMenuBar>
 #include <QResizeEvent>
 #include <QScrollArea>
-#include <QShortcut>
 #include <QStackedWidget>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -104,6 +103,15 @@ QWidget* MainWindow::makeHeader() {
   row->addStretch(1);
   row->addWidget(caseName_, 0, Qt::AlignVCenter);
   row->addStretch(1);
+  auto* find = new QToolButton;
+  find->setObjectName(QStringLiteral("findCommand"));
+  find->setProperty("role", "find");
+  find->setText(tr("Find a command   %1").arg(actions_.findCommand->shortcut().toString()));
+  find->setToolTip(tr("Everything the window can do, by its name"));
+  find->setFocusPolicy(Qt::TabFocus);
+  connect(find, &QToolButton::clicked, actions_.findCommand, &QAction::trigger);
+  row->addWidget(find);
+  row->addSpacing(8);
   row->addWidget(themeToggle_);
   return header;
 }
@@ -115,19 +123,15 @@ QWidget* MainWindow::makeRail() {
   column->setContentsMargins(12, 14, 12, 12);
   column->setSpacing(4);
   column->addWidget(heading(tr("Steps")));
-  static const std::array<const char*, StepCount> titles = {
-      QT_TR_NOOP("Open"),    QT_TR_NOOP("Lungs"),     QT_TR_NOOP("Lobes"),
-      QT_TR_NOOP("Airways"), QT_TR_NOOP("Breathing"), QT_TR_NOOP("Export")};
+  static_assert(StepNames.size() == StepCount);
   panels_ = new QStackedWidget;
   for (int i = 0; i < StepCount; ++i) {
     const auto index = static_cast<std::size_t>(i);
-    steps_[index] = new StepButton(i + 1, tr(titles[index]));
-    steps_[index]->setObjectName(QStringLiteral("step") + QString::fromUtf8(titles[index]));
+    steps_[index] = new StepButton(i + 1, tr(StepNames[index]));
+    steps_[index]->setObjectName(QStringLiteral("step") + QString::fromUtf8(StepNames[index]));
     column->addWidget(steps_[index]);
     connect(steps_[index], &QAbstractButton::clicked, this,
             [this, i] { goTo(static_cast<Step>(i)); });
-    auto* key = new QShortcut(QKeySequence(QString::number(i + 1)), this);
-    connect(key, &QShortcut::activated, this, [this, i] { goToVisible(i); });
   }
   new StepHeights(this, {steps_.begin(), steps_.end()});
   column->addSpacing(10);
@@ -234,6 +238,7 @@ MainWindow::MainWindow() : actions_(makeActions(this)) {
   connectBreathing();
   connectProject();
   connectExport();
+  connectCommands();
   goTo(OpenStep);
   showSnapshot();
   status_->say(tr("Ready"));

@@ -20,46 +20,38 @@ void MainWindow::updateActions() {
   const bool tree = document_.tree() != nullptr;
   const bool ct = document_.model().ct != nullptr;
   const bool shown = tree || document_.model().surfaces || ct;
-  for (QAction* slices : actions_.slices.all()) slices->setEnabled(ct);
+  for (QAction* slices : actions_.slices.all()) allow(*slices, ct, {}, tr("Open a CT first"));
   const QString wait = tr("A job is running");
   for (QAction* opening : {actions_.open, actions_.openFolder, actions_.sample}) {
-    opening->setEnabled(!busy);
+    allow(*opening, !busy, {}, wait);
   }
-  for (QAction* organ : actions_.organs) organ->setEnabled(!busy);
-  actions_.findLungs->setEnabled(ct && !busy);
-  actions_.findLungs->setToolTip(busy ? wait
-                                 : ct ? tr("Find lungs and central airways in the CT")
-                                      : tr("Open a CT first"));
+  for (QAction* organ : actions_.organs) allow(*organ, !busy, {}, wait);
+  allow(*actions_.findLungs, ct && !busy, tr("Find lungs and central airways in the CT"),
+        busy ? wait : tr("Open a CT first"));
   const bool whole = document_.canSplit();
   updateFissureActions();
   updateBreathingActions();
   updateExportActions();
-  actions_.splitLobes->setEnabled(whole && !busy);
-  actions_.splitLobes->setToolTip(busy    ? wait
-                                  : whole ? tr("Split the lungs into lobes along the fissures")
-                                          : tr("Open whole lungs or find them in a CT first"));
-  actions_.grow->setEnabled(lobes && !busy);
-  actions_.grow->setToolTip(busy    ? wait
-                            : lobes ? tr("Grow airways from the central ones into the lobes")
-                                    : tr("Open lobe surfaces or an organ first"));
-  actions_.saveTree->setEnabled(tree && !busy);
-  actions_.saveTree->setToolTip(busy   ? wait
-                                : tree ? tr("Save the tree that is shown")
-                                       : tr("There is no tree to save yet"));
-  actions_.savePicture->setEnabled(shown);
+  allow(*actions_.splitLobes, whole && !busy, tr("Split the lungs into lobes along the fissures"),
+        busy ? wait : tr("Open whole lungs or find them in a CT first"));
+  allow(*actions_.grow, lobes && !busy, tr("Grow airways from the central ones into the lobes"),
+        busy ? wait : tr("Open lobe surfaces or an organ first"));
+  allow(*actions_.saveTree, tree && !busy, tr("Save the tree that is shown"),
+        busy ? wait : tr("There is no tree to save yet"));
+  allow(*actions_.savePicture, shown, {}, tr("There is nothing to see yet"));
   for (QAction* saving : {actions_.saveProject, actions_.saveProjectAs}) {
-    saving->setEnabled(shown && !busy);
-    saving->setToolTip(busy    ? wait
-                       : shown ? tr("Save everything, to go on with it another day")
-                               : tr("There is nothing to save yet"));
+    allow(*saving, shown && !busy, tr("Save everything, to go on with it another day"),
+          busy ? wait : tr("There is nothing to save yet"));
   }
-  actions_.packCt->setEnabled(ct && !busy);
+  allow(*actions_.packCt, ct && !busy, {}, busy ? wait : tr("Open a CT first"));
   for (QAction* recent : actions_.recents) recent->setEnabled(!busy);
-  actions_.cancel->setEnabled(busy || branch_ || fissures_.placing() || review_.active() ||
-                              regions_.placing() != RegionEditor::Placing::Nothing);
-  actions_.undo->setEnabled(document_.canUndo());
+  allow(*actions_.cancel,
+        busy || branch_ || fissures_.placing() || review_.active() ||
+            regions_.placing() != RegionEditor::Placing::Nothing,
+        {}, tr("Nothing is running"));
+  allow(*actions_.undo, document_.canUndo(), {}, busy ? wait : tr("Nothing was done yet"));
   actions_.undo->setText(tr("&Undo %1").arg(document_.undoName()).trimmed());
-  actions_.redo->setEnabled(document_.canRedo());
+  allow(*actions_.redo, document_.canRedo(), {}, busy ? wait : tr("Nothing was undone"));
   actions_.redo->setText(tr("&Redo %1").arg(document_.redoName()).trimmed());
 }
 
@@ -67,31 +59,40 @@ void MainWindow::updateFissureActions() {
   const bool whole = document_.canSplit() && steps_[LobesStep]->isChecked();
   const QString obstacle = document_.snapObstacle();
   const bool looking = document_.lookingForFissures();
-  actions_.placePoints->setEnabled(whole);
-  actions_.placePoints->setToolTip(tr("Clicks in the slices set points on the current fissure"));
-  actions_.snap->setEnabled(whole && obstacle.isEmpty() && !looking);
+  const QString where = document_.canSplit() ? tr("Go to the step Lobes first")
+                                             : tr("Open whole lungs or find them in a CT first");
+  allow(*actions_.placePoints, whole, tr("Clicks in the slices set points on the current fissure"),
+        where);
+  allow(*actions_.snap, whole && obstacle.isEmpty() && !looking,
+        tr("Draws points, planes and proposals onto the fissure in the CT"),
+        !obstacle.isEmpty() ? obstacle
+        : looking           ? tr("Fissures are being looked for in the CT")
+                            : where);
   actions_.snap->setChecked(document_.snapshot().lobeEdits.snap || looking);
-  actions_.snap->setToolTip(
-      obstacle.isEmpty() ? tr("Draws points, planes and proposals onto the fissure in the CT")
-                         : obstacle);
   const bool busy = document_.jobs().busy();
-  for (QAction* file : {actions_.openFissures, actions_.saveFissures}) {
-    file->setEnabled(document_.canSplit() && !busy);
-  }
-  actions_.openFissures->setToolTip(
-      tr("Points, planes and surfaces of fissures: Pneuma's JSON, "
-         "3D Slicer, Chest Imaging Platform"));
-  actions_.saveFissures->setToolTip(tr("Saves the fissures that were set"));
-  actions_.review->setEnabled(whole && review_.available() && !review_.active());
-  actions_.review->setToolTip(sliceViews_.empty()
-                                  ? tr("Needs a CT: the fissures are looked at in its slices")
-                                  : tr("Leads through twelve places of each fissure"));
-  actions_.looksRight->setEnabled(whole && review_.active());
-  actions_.looksRight->setToolTip(tr("The fissure lies right in this slice: to the next"));
-  actions_.editHere->setEnabled(whole && review_.active());
-  actions_.editHere->setToolTip(tr("Leaves the review to set points in this slice; V comes back"));
-  actions_.acceptFissures->setEnabled(whole && !busy && !review_.complete());
-  actions_.acceptFissures->setToolTip(tr("Takes the fissures as they are; this can be undone"));
+  const bool lungs = document_.canSplit();
+  const QString wait = tr("A job is running");
+  const QString file = busy && lungs ? wait : tr("Open whole lungs or find them in a CT first");
+  allow(*actions_.openFissures, lungs && !busy,
+        tr("Points, planes and surfaces of fissures: Pneuma's JSON, "
+           "3D Slicer, Chest Imaging Platform"),
+        file);
+  allow(*actions_.saveFissures, lungs && !busy, tr("Saves the fissures that were set"), file);
+  allow(*actions_.review, whole && review_.available() && !review_.active(),
+        tr("Leads through twelve places of each fissure"),
+        sliceViews_.empty() ? tr("Needs a CT: the fissures are looked at in its slices")
+        : review_.active()  ? tr("The review is on")
+                            : where);
+  const QString begin = tr("Begin a review first");
+  allow(*actions_.looksRight, whole && review_.active(),
+        tr("The fissure lies right in this slice: to the next"), begin);
+  allow(*actions_.editHere, whole && review_.active(),
+        tr("Leaves the review to set points in this slice; V comes back"), begin);
+  allow(*actions_.acceptFissures, whole && !busy && !review_.complete(),
+        tr("Takes the fissures as they are; this can be undone"),
+        !whole ? where
+        : busy ? wait
+               : tr("All fissures were looked at"));
 }
 
 void MainWindow::updateSteps() {

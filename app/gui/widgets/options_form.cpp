@@ -42,9 +42,9 @@ int decimalsOf(const OptionsModel::Row& row) {
 
 }  // namespace
 
-OptionsForm::OptionsForm(OptionsModel& model, std::vector<std::string> names, int labelWidth,
-                         QWidget* parent)
-    : QWidget(parent), model_(model), names_(std::move(names)) {
+OptionsForm::OptionsForm(OptionsModel& model, std::vector<std::string> names, const QString& source,
+                         int labelWidth, QWidget* parent)
+    : QWidget(parent), model_(model), names_(std::move(names)), source_(source) {
   grid_ = new QGridLayout(this);
   grid_->setContentsMargins(0, 0, 0, 0);
   grid_->setHorizontalSpacing(6);
@@ -76,6 +76,9 @@ void OptionsForm::describe(QWidget& editor, int row) const {
            model_.data(model_.index(row, OptionsModel::RangeColumn), Qt::DisplayRole).toString();
     if (!option.unit.empty()) tip += QLatin1Char(' ') + qtText(option.unit);
   }
+  tip += QLatin1Char('\n') + tr("Default: %1").arg(qtText(option.standard));
+  if (!option.unit.empty()) tip += QLatin1Char(' ') + qtText(option.unit);
+  if (!source_.isEmpty()) tip += QLatin1Char('\n') + source_;
   editor.setToolTip(tip);
 }
 

@@ -21,8 +21,9 @@ class OptionsForm : public QWidget {
 
  public:
   /// @param names of the options to show, in this order
-  OptionsForm(OptionsModel& model, std::vector<std::string> names, int labelWidth = FormLabelWidth,
-              QWidget* parent = nullptr);
+  /// @param source of the default values, for the tool tips; may be empty
+  OptionsForm(OptionsModel& model, std::vector<std::string> names, const QString& source = {},
+              int labelWidth = FormLabelWidth, QWidget* parent = nullptr);
 
  private:
   void refresh();
@@ -34,6 +35,7 @@ class OptionsForm : public QWidget {
 
   OptionsModel& model_;
   std::vector<std::string> names_;
+  QString source_;
   QGridLayout* grid_;
   bool besideSwitch_ = false;  ///< the last cell taken is a switch with room beside it
 };

@@ -19,6 +19,7 @@
 #include <vtkRenderer.h>
 
 #include "widgets/stereo_window.h"
+#include "widgets/view_keys.h"
 
 namespace pneuma {
 
@@ -227,6 +228,11 @@ void SceneView::setStereo(const StereoOptions& stereo) {
   renderSoon();
 }
 
+void SceneView::centreOn(const Vec3& point) {
+  scene_->centreOn(point);
+  renderSoon();
+}
+
 void SceneView::resetView() { look(scene_->lookingFrom()); }
 
 void SceneView::turn(double azimuthDeg, double elevationDeg) {
@@ -320,44 +326,53 @@ void SceneView::dragging(bool on) {
 }
 
 bool SceneView::keyPressed(int key, Qt::KeyboardModifiers modifiers) {
-  const bool shift = modifiers.testFlag(Qt::ShiftModifier);
   if (modifiers & (Qt::ControlModifier | Qt::AltModifier)) return false;
-  switch (key) {
-    case Qt::Key_A:
-    case Qt::Key_P:
-    case Qt::Key_L:
-    case Qt::Key_R:
-    case Qt::Key_S:
-    case Qt::Key_I: {
+  const auto does = sceneKey(key, modifiers);
+  if (!does) return false;
+  switch (*does) {
+    case SceneKey::Look: {
       const char letter = static_cast<char>('A' + (key - Qt::Key_A));
       look(viewDirection(std::string_view(&letter, 1)));
-      return true;
+      break;
     }
-    case Qt::Key_Home:
+    case SceneKey::FrameEverything:
       resetView();
-      return true;
-    case Qt::Key_Space:
+      break;
+    case SceneKey::Play:
       emit playToggled();
-      return true;
-    case Qt::Key_Comma:
-    case Qt::Key_Period:
-      emit stepped(key == Qt::Key_Period ? 1 : -1);
-      return true;
-    case Qt::Key_Left:
-      shift ? turn(-TurnDeg, 0.0) : emit walked(Neighbour::PreviousSibling);
-      return true;
-    case Qt::Key_Right:
-      shift ? turn(TurnDeg, 0.0) : emit walked(Neighbour::NextSibling);
-      return true;
-    case Qt::Key_Up:
-      shift ? turn(0.0, TurnDeg) : emit walked(Neighbour::Parent);
-      return true;
-    case Qt::Key_Down:
-      shift ? turn(0.0, -TurnDeg) : emit walked(Neighbour::Child);
-      return true;
-    default:
-      return false;
+      break;
+    case SceneKey::NextFrame:
+      emit stepped(1);
+      break;
+    case SceneKey::PreviousFrame:
+      emit stepped(-1);
+      break;
+    case SceneKey::Mother:
+      emit walked(Neighbour::Parent);
+      break;
+    case SceneKey::Daughter:
+      emit walked(Neighbour::Child);
+      break;
+    case SceneKey::PreviousSister:
+      emit walked(Neighbour::PreviousSibling);
+      break;
+    case SceneKey::NextSister:
+      emit walked(Neighbour::NextSibling);
+      break;
+    case SceneKey::TurnLeft:
+      turn(-TurnDeg, 0.0);
+      break;
+    case SceneKey::TurnRight:
+      turn(TurnDeg, 0.0);
+      break;
+    case SceneKey::TurnUp:
+      turn(0.0, TurnDeg);
+      break;
+    case SceneKey::TurnDown:
+      turn(0.0, -TurnDeg);
+      break;
   }
+  return true;
 }
 
 void SceneView::clickedAt(const QPoint& position) {

@@ -89,6 +89,9 @@ class SceneView : public QWidget {
   /// Draws for one eye or for two. Clicks count in either half of two pictures side by side.
   void setStereo(const StereoOptions& stereo);
 
+  /// Puts a point (LPS, mm) in the middle and the axis of turning through it.
+  void centreOn(const Vec3& point);
+
   /// Frames everything again, seen from where one stands.
   void resetView();
 

@@ -230,46 +230,49 @@ void SliceView::keyPressEvent(QKeyEvent* event) {
     QWidget::keyPressEvent(event);
     return;
   }
-  if (editor_ != nullptr && keyForFissures(event->key())) return;
-  switch (event->key()) {
-    case Qt::Key_Up:
-    case Qt::Key_F:
+  const auto does = sliceKey(event->key());
+  if (does && act(*does)) return;
+  QWidget::keyPressEvent(event);
+}
+
+bool SliceView::act(SliceKey does) {
+  switch (does) {
+    case SliceKey::Next:
       views_.step(plane_, 1);
-      break;
-    case Qt::Key_Down:
-    case Qt::Key_B:
+      return true;
+    case SliceKey::Previous:
       views_.step(plane_, -1);
-      break;
-    case Qt::Key_PageUp:
+      return true;
+    case SliceKey::NextPage:
       views_.step(plane_, PageSlices);
-      break;
-    case Qt::Key_PageDown:
+      return true;
+    case SliceKey::PreviousPage:
       views_.step(plane_, -PageSlices);
-      break;
-    case Qt::Key_R:
+      return true;
+    case SliceKey::ResetFrame:
       views_.resetFrame(plane_);
-      break;
-    case Qt::Key_W:
+      return true;
+    case SliceKey::HoldForWindow:
       windowKey_ = true;
-      break;
+      return true;
     default:
-      QWidget::keyPressEvent(event);
+      return editor_ != nullptr && actOnFissures(does);
   }
 }
 
-bool SliceView::keyForFissures(int key) {
-  switch (key) {
-    case Qt::Key_Backspace:
+bool SliceView::actOnFissures(SliceKey does) {
+  switch (does) {
+    case SliceKey::RemoveLastPoint:
       editor_->removeLast();
       return true;
-    case Qt::Key_Delete:
+    case SliceKey::DeletePoint:
       if (const auto mark = markAt(mapFromGlobal(QCursor::pos()))) {
         editor_->removePoint(mark->fissure, mark->index);
       }
       return true;
-    case Qt::Key_Tab:
-    case Qt::Key_Backtab:
-      editor_->step(key == Qt::Key_Tab ? 1 : -1);
+    case SliceKey::NextFissure:
+    case SliceKey::PreviousFissure:
+      editor_->step(does == SliceKey::NextFissure ? 1 : -1);
       return true;
     default:
       return false;
@@ -282,7 +285,9 @@ bool SliceView::focusNextPrevChild(bool next) {
 }
 
 void SliceView::keyReleaseEvent(QKeyEvent* event) {
-  if (event->key() == Qt::Key_W && !event->isAutoRepeat()) windowKey_ = false;
+  if (sliceKey(event->key()) == SliceKey::HoldForWindow && !event->isAutoRepeat()) {
+    windowKey_ = false;
+  }
   QWidget::keyReleaseEvent(event);
 }
 

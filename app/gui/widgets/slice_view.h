@@ -6,6 +6,7 @@
 
 #include "document/fissure_editor.h"
 #include "document/slice_views.h"
+#include "widgets/view_keys.h"
 
 namespace pneuma {
 
@@ -57,7 +58,9 @@ class SliceView : public QWidget {
   void dragTo(const QPoint& position);
   /// True if the press was for the fissures.
   bool pressFissure(const QMouseEvent& event);
-  bool keyForFissures(int key);
+  bool act(SliceKey does);
+  /// True if there is something to do.
+  bool actOnFissures(SliceKey does);
   std::optional<FissureEditor::Mark> markAt(const QPoint& position) const;
 
   SliceViews& views_;

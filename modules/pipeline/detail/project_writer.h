@@ -6,13 +6,14 @@
 #include <typeindex>
 #include <utility>
 
+#include "io/atomic_file.h"
 #include "io/member_archive.h"
 #include "pipeline/detail/project_values.h"
 
 namespace pneuma {
 
 /// Turns values into the JSON of a project and the files beside it. What several pointers share is
-/// saved once, under "objects".
+/// saved once, under "objects", and so is what they hold alike: lobes that were made twice.
 class ProjectWriter {
  public:
   static constexpr bool Reading = false;
@@ -131,10 +132,40 @@ class ProjectWriter {
     known->second = id;
     std::vector<std::string> path = {id};
     path_.swap(path);
-    objects_[id] = object(*value);
+    const std::size_t files = members_.size();
+    Json json = object(*value);
     path_.swap(path);
     alive_.push_back(value);
+    const auto alike = alike_.try_emplace({typeid(T), withContents(json, files)}, id);
+    if (!alike.second) {
+      // An object within it would be a new one, so that all these files are its own.
+      for (std::size_t i = files; i < members_.size(); ++i) used_.erase(members_[i].name);
+      members_.resize(files);
+      used_.erase(id);
+      return known->second = alike.first->second;
+    }
+    objects_[id] = std::move(json);
     return id;
+  }
+
+  /// The text of an object with the hash of its files' contents in place of their names.
+  /// @param files how many there were before it
+  std::string withContents(Json json, std::size_t files) const {
+    std::map<std::string, const std::string*> contents;
+    for (std::size_t i = files; i < members_.size(); ++i) {
+      contents[members_[i].name] = &members_[i].content;
+    }
+    replaceNames(json, contents);
+    return sha256(json.dump(-1, ' ', false, Json::error_handler_t::replace));
+  }
+
+  static void replaceNames(Json& json, const std::map<std::string, const std::string*>& contents) {
+    if (json.is_string()) {
+      const auto found = contents.find(json.get_ref<const std::string&>());
+      if (found != contents.end()) json = "sha256 " + sha256(*found->second);
+    } else if (json.is_structured()) {
+      for (Json& part : json) replaceNames(part, contents);
+    }
   }
 
   /// The two innermost names that tell something, such as "undo-RUL".
@@ -165,6 +196,7 @@ class ProjectWriter {
   Json objects_ = Json::object();
   std::vector<ArchiveMember> members_;
   std::map<std::pair<std::type_index, const void*>, std::string> names_;  ///< of objects
+  std::map<std::pair<std::type_index, std::string>, std::string> alike_;  ///< by what they hold
   std::vector<std::shared_ptr<const void>> alive_;
   std::set<std::string> used_;
 };
