@@ -8,6 +8,7 @@
 #include "document/breath_player.h"
 #include "document/document.h"
 #include "document/region_editor.h"
+#include "document/shell_command.h"
 #include "geometry/test_surfaces.h"
 #include "io/atomic_file.h"
 #include "io/surface_file.h"
@@ -208,6 +209,9 @@ TEST_F(BreathingTest, MovesByThePersonsOwnConstants) {
   const Json& report = document.snapshot().breath->report;
   EXPECT_NE(report.at("basis"), before.at("basis"));
   EXPECT_EQ(report.at("inputs").back().at("path"), file.string());
+  EXPECT_TRUE(shellCommand(WorkStep::Breathing, document)
+                  .text()
+                  .contains(QString::fromStdString("--constants " + file.string())));
   document.forgetConstants();
   EXPECT_EQ(document.breatheOptions().person, nullptr);
 }

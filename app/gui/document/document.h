@@ -95,6 +95,11 @@ class Document : public QObject {
   void openMeasuredBreath(const std::filesystem::path& path);
   void forgetMeasuredBreath();
 
+  /// The files that these were read from; null if there were none, as after opening a project.
+  const InputFile* breathFile() const { return breathFile_ ? &*breathFile_ : nullptr; }
+
+  const InputFile* constantsFile() const { return constantsFile_ ? &*constantsFile_ : nullptr; }
+
   /// Sets which parts of the lungs are stiffer or softer in the next breath. Can be undone. Not
   /// while a job runs.
   /// @param what was done, for example "place a ball"

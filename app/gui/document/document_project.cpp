@@ -142,6 +142,8 @@ void Document::showProject(Project project, const std::filesystem::path& path, O
   if (project.next.method < optionsOf_.size()) method_ = project.next.method;
   lungOptions_ = project.next.lungs;
   breatheOptions_ = project.next.breathe;
+  breathFile_.reset();
+  constantsFile_.reset();
   emit growthOptionsChanged();
   emit lungOptionsChanged();
   emit breatheOptionsChanged();

@@ -297,9 +297,9 @@ ShellCommand breathingCommand(const Document& document) {
   if (!source.obstacle.isEmpty()) return refused(source.obstacle);
   const LungModel& model = document.model();
   const BreatheOptions& options = document.breatheOptions();
-  if (options.fit || options.person) {
-    return refused(
-        QObject::tr("This breath was fitted: name its file with --fit or --constants yourself."));
+  if ((options.fit && !document.breathFile()) || (options.person && !document.constantsFile())) {
+    return refused(QObject::tr(
+        "The project holds what was fitted, but not where its file is: open it again."));
   }
   Line line("breathe");
   line.files(source.surfaces);
@@ -315,6 +315,8 @@ ShellCommand breathingCommand(const Document& document) {
     }
   }
   line.options(options);
+  if (options.fit) line.option("fit", document.breathFile()->path);
+  if (options.person) line.option("constants", document.constantsFile()->path);
   for (const StiffnessRegion& region : options.regions) {
     line.option("stiffness", textOfRegion(region));
   }
