@@ -50,8 +50,10 @@ succeeds "slow ticks" render lobes --pose poses.csv --rate 2 --size 64x48 --json
 expect "a pose was dropped at two a second" test "$(member dropped)" = 0
 expect "there are not three ticks" test "$(member ticks)" = 3
 
-succeeds "a film for two eyes" render lobes --pose poses.csv --size 200x80 --stereo side-by-side -o film.ogv
+# So large that a machine without a graphics card drops poses: the film lasts as long all the same.
+succeeds "a film for two eyes" render lobes --pose poses.csv --size 1200x600 --stereo side-by-side -o film.ogv
 prints 'film.ogv: [0-9]+ pictures, 67 a second'
+expect "the film is shorter than the replay" test "$(sed -n 's/^film.ogv: \([0-9,]*\) pictures.*/\1/p' "$logs/out" | tr -d ,)" -ge 41
 expect "the film is no Ogg" test "$(head -c 4 film.ogv)" = OggS
 for stereo in anaglyph crossed; do
   succeeds "for two eyes, $stereo" render lobes --pose first.csv --size 200x80 --stereo "$stereo" -q -o "$stereo.png"
@@ -60,15 +62,15 @@ done
 
 succeeds "a chest" sample chest --cell 5mm -q
 succeeds "a breath" breathe chest -o breath.pvd --scenario vital-capacity --frames 4 -q
-# From 700 mm in front of the chest's middle; what a breath is like at its start, and 4 s on.
+# Frames at 0, 2, 4 and 6 s. From 700 mm in front of the chest's middle; what a breath is like at its start, and 4 s on.
 echo "$head
 0,0,-700,0,0.70710678,0.70710678,0,0" >still.csv
 succeeds "the start of a breath" render breath.pvd --pose still.csv --size 160x120 --no-annotations -q -o start.png
 succeeds "a later moment of it" render breath.pvd --pose still.csv --time 4 --size 160x120 --no-annotations -q -o later.png
 expect "the lungs do not breathe" test "$(cksum <start.png)" != "$(cksum <later.png)"
 echo "0.5,0,-700,0,0.70710678,0.70710678,0,0" >>still.csv
-succeeds "the breath goes on with the poses" render breath.pvd --pose still.csv --time 3.5 --size 160x120 --no-annotations -q -o on.png
-expect "half a second after 3.5 s is not 4 s" cmp on.png later.png
+succeeds "the breath goes on with the poses" render breath.pvd --pose still.csv --time 2.75 --size 160x120 --no-annotations -q -o on.png
+expect "half a second after 2.75 s is not nearest to 4 s" cmp on.png later.png
 succeeds "a breath and a head that moves" render breath.pvd --pose poses.csv --size 160x120 -o breath.ogv
 
 poses() { printf '%s\n' "$@" >bad.csv; }
