@@ -70,17 +70,17 @@ done)
  {"do": "pause", "seconds": 300}]
 END
 touch -d '1 hour ago' "$kept/.pneuma-dead.part"
-: >"$kept/.pneuma-alive.part"
 whole=0 nothing=0 half=0
 for round in $(seq "${KILLS:-3}"); do
+  touch "$kept/.pneuma-alive.part"
   "$DESKTOP" --play "$folder/steps.json" &
   window=$!
-  for _ in $(seq 600); do
-    ls "$kept"/*.lock >/dev/null 2>&1 && break
+  for _ in $(seq 1200); do  # the first of it is being written
+    ls -A "$kept" | grep -v 'alive\|dead' | grep -q '\.part$\|\.pneuma$' && break
     kill -0 $window 2>/dev/null || fail "the window ended on its own"
-    sleep 0.1
+    sleep 0.05
   done
-  sleep "$((RANDOM % ${LATEST:-9})).$((RANDOM % 10))"
+  sleep "$((RANDOM % ${LATEST:-4})).$((RANDOM % 10))$((RANDOM % 10))"
   kill -0 $window 2>/dev/null || fail "the window ended on its own"
   kill -9 $window
   wait $window 2>/dev/null
@@ -96,6 +96,7 @@ for round in $(seq "${KILLS:-3}"); do
   fi
   [ ! -e "$kept/.pneuma-dead.part" ] || fail "what was half written an hour ago is still there"
   [ -e "$kept/.pneuma-alive.part" ] || fail "what another window may be writing was taken away"
+  echo "round $round: $whole whole, $nothing with nothing, $half while writing"
   rm -f "$kept"/*.pneuma "$kept"/*.pneuma~ "$kept"/*.lock "$kept"/.pneuma-????????*.part
 done
 echo "killed $((whole + nothing)) times: $whole whole, $nothing before anything was kept, $half while writing"
