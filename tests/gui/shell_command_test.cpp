@@ -108,11 +108,10 @@ TEST_F(ShellCommandTest, FilesAreNamedAsTheyWereOpened) {
   EXPECT_EQ(text(WorkStep::Export, {ExportKind::Tree, false, {}}),
             "pneuma export " + lobes + " " + inFolder("central.swc") + " --preset tree -o tree");
   EXPECT_EQ(text(WorkStep::Export, {ExportKind::Report, true, {}}),
-            "pneuma report " + lobes + " " + inFolder("central.swc") +
-                " --identify -o report.pdf");
-  EXPECT_EQ(text(WorkStep::Export, {ExportKind::Figure, false, {-10.0, 6.0}}),
-            "pneuma render " + lobes + " " + inFolder("central.swc") +
-                " --view=-10,6 -o figure.png");
+            "pneuma report " + lobes + " " + inFolder("central.swc") + " --identify -o report.pdf");
+  EXPECT_EQ(
+      text(WorkStep::Export, {ExportKind::Figure, false, {-10.0, 6.0}}),
+      "pneuma render " + lobes + " " + inFolder("central.swc") + " --view=-10,6 -o figure.png");
 }
 
 TEST_F(ShellCommandTest, OptionsThatDifferAreTold) {
