@@ -90,7 +90,7 @@ void askBeforeReplacing(QWidget* parent, const QString& folder, const QStringLis
   QStringList named = files.mid(0, Named);
   if (files.size() > Named) named << QObject::tr("and %1 more").arg(files.size() - Named);
   QMessageBox* box =
-      questionBox(parent, QObject::tr("These files are in %1 already.").arg(folder),
+      questionBox(parent, QObject::tr("These files are in \u201c%1\u201d already.").arg(folder),
                   QObject::tr("%1\n\nReplace them?").arg(named.join(QLatin1Char('\n'))));
   box->setObjectName(QStringLiteral("replaceQuestion"));
   addAnswer(box, QMessageBox::Yes, "replaceFiles", std::move(replace));

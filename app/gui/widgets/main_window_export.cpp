@@ -5,6 +5,7 @@
 
 #include "document/shell_command.h"
 #include "document/text.h"
+#include "widgets/commands.h"
 #include "widgets/dialogs.h"
 #include "widgets/error_card.h"
 #include "widgets/export_panel.h"
@@ -73,15 +74,11 @@ void MainWindow::copyCommand() {
 void MainWindow::updateExportActions() {
   const bool busy = document_.jobs().busy();
   const QString lack = exportPanel_->lack();
-  actions_.exportCase->setEnabled(lack.isEmpty() && !busy);
-  actions_.exportCase->setToolTip(busy             ? tr("A job is running")
-                                  : lack.isEmpty() ? tr("Write what is chosen in the step Export")
-                                                   : lack);
+  allow(*actions_.exportCase, lack.isEmpty() && !busy,
+        tr("Write what is chosen in the step Export"), busy ? tr("A job is running") : lack);
   const QString obstacle = commandNow().obstacle;
-  actions_.copyCommand->setEnabled(obstacle.isEmpty());
-  actions_.copyCommand->setToolTip(
-      obstacle.isEmpty() ? tr("Copies the commands that do this step with these options")
-                         : obstacle);
+  allow(*actions_.copyCommand, obstacle.isEmpty(),
+        tr("Copies the commands that do this step with these options"), obstacle);
 }
 
 }  // namespace pneuma
