@@ -89,8 +89,8 @@ if [[ -d $real ]]; then
   breathe_and_draw "$out/real/breath" "$real" "$out/real/kitaoka/tree.vtp"
 fi
 
-real=../shared/data/ct_lung_dx_a0001_dicom/series
-if [[ -d $real ]]; then
+real=../shared/data/ct_lidc_idri_0001/lidc_idri_0001.mha
+if [[ -f $real ]]; then
   step "A real CT"
   "$pneuma" run --ct "$real" -o "$out/real-ct"
   draw "$out/real-ct/slices-and-tree.png" "$real" "$out/real-ct/right.vtp" "$out/real-ct/left.vtp" \
