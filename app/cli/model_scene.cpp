@@ -33,7 +33,8 @@ void showModel(Scene& scene, const LungModel& model, const std::vector<Lobe>& hi
   }
   scene.setSurfaces(std::move(surfaces));
   scene.setTree(treeOf(model));
-  scene.setBreathing(still->shells.empty() ? nullptr : std::move(still));
+  // Without one nothing breathes: setSurfaces() ended what did before.
+  if (!still->shells.empty()) scene.setBreathing(std::move(still));
 }
 
 }  // namespace pneuma::cli
