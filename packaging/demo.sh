@@ -89,13 +89,19 @@ if [[ -d $real ]]; then
   breathe_and_draw "$out/real/breath" "$real" "$out/real/kitaoka/tree.vtp"
 fi
 
-real=../shared/data/ct_lidc_idri_0001/lidc_idri_0001.mha
-if [[ -f $real ]]; then
-  step "A real CT"
-  "$pneuma" run --ct "$real" -o "$out/real-ct"
-  draw "$out/real-ct/slices-and-tree.png" "$real" "$out/real-ct/right.vtp" "$out/real-ct/left.vtp" \
-    "$out/real-ct/tree.vtp" --labels "$out/real-ct/labels.nii.gz"
-fi
+# run_and_draw FOLDER CT: from a person's CT to lobes and a grown tree.
+run_and_draw() {
+  "$pneuma" run --ct "$2" -o "$1"
+  draw "$1/slices-and-tree.png" "$2" "$1/lobes" "$1/tree.vtp" --labels "$1/labels.nii.gz"
+}
+
+data=../shared/data
+for ct in ct_lidc_idri_0001/lidc_idri_0001.mha ct_lung_dx_a0001_dicom/series; do
+  if [[ -e $data/$ct ]]; then
+    step "A real CT: ${ct%%/*}"
+    run_and_draw "$out/${ct%%/*}" "$data/$ct"
+  fi
+done
 
 step "Where things are"
 find "$out" -type f -printf '%10s bytes  %p\n' | sort -k3

@@ -1,5 +1,6 @@
 #include <iostream>
 #include <memory>
+#include <utility>
 
 #include "cli/arguments.h"
 #include "cli/command.h"
@@ -68,13 +69,29 @@ Json reportOf(const Recipe& recipe, const std::vector<StageResult>& results) {
   return report;
 }
 
+/// Their names; of a folder's how many, as a line holds no more.
+std::string listed(const std::vector<std::string>& files) {
+  std::vector<std::pair<std::string, std::size_t>> parts;  // a file or folder, how many of it
+  for (const std::string& file : files) {
+    const std::size_t slash = file.find('/');
+    const std::string part = slash == std::string::npos ? file : file.substr(0, slash + 1);
+    if (parts.empty() || parts.back().first != part) parts.emplace_back(part, 0);
+    ++parts.back().second;
+  }
+  std::string text;
+  for (const auto& [part, count] : parts) {
+    text += (text.empty() ? "" : ", ") + part;
+    if (part.back() == '/') text += " (" + std::to_string(count) + " files)";
+  }
+  return text;
+}
+
 std::string tableOf(const std::vector<StageResult>& results) {
   std::vector<std::vector<std::string>> rows = {{"stage", "state", "time", "files"}};
   for (const StageResult& result : results) {
-    std::string files;
-    for (const std::string& file : result.files) files += (files.empty() ? "" : ", ") + file;
     rows.push_back({textOf(result.stage), textOf(result.state),
-                    result.seconds > 0.0 ? fixed(result.seconds, 1) + " s" : "", files});
+                    result.seconds > 0.0 ? fixed(result.seconds, 1) + " s" : "",
+                    listed(result.files)});
   }
   return table(rows);
 }

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "anatomy/diameter_law.h"
+#include "anatomy/lobar_bronchi.h"
 #include "core/error.h"
 #include "core/units.h"
 
@@ -23,43 +24,15 @@ std::string listedLobes(std::span<const LobeRegion> lobes, const std::vector<cha
   return text;
 }
 
-/// Mean of a lattice of points in the region; a point of the region nearest to it if the mean
-/// itself lies outside (a lobe may be a shell).
-Vec3 innerCentre(const LobeRegion& region) {
-  const Box3 box = region.domain->bounds();
-  const double step = std::max(box.sizes().maxCoeff() / 40.0, 1e-9);
-  std::vector<Vec3> inside;
-  Vec3 sum = Vec3::Zero();
-  for (double x = box.min().x() + 0.37 * step; x < box.max().x(); x += step)
-    for (double y = box.min().y() + 0.29 * step; y < box.max().y(); y += step)
-      for (double z = box.min().z() + 0.43 * step; z < box.max().z(); z += step) {
-        const Vec3 p(x, y, z);
-        if (!region.domain->contains(p)) continue;
-        inside.push_back(p);
-        sum += p;
-      }
-  if (inside.empty()) {
-    throw InvalidInput("the " + std::string(longName(region.lobe)) +
-                       " is too thin or too small to grow airways in");
-  }
-  const Vec3 mean = sum / static_cast<double>(inside.size());
-  if (region.domain->contains(mean)) return mean;
-  return *std::ranges::min_element(inside, {},
-                                   [&](const Vec3& p) { return (p - mean).squaredNorm(); });
-}
-
 class TemplateBuilder {
  public:
   explicit TemplateBuilder(std::span<const LobeRegion> lobes) : lobes_(lobes) {
-    double volume = 0.0;
     for (const LobeRegion& region : lobes) {
       box_.extend(region.domain->bounds());
       centres_.push_back(innerCentre(region));
-      volume += region.domain->volumeMm3();
       sides_[side(region.lobe) == Side::Left ? 1 : 0] = true;
     }
-    const double lungs = (sides_[0] ? 1.0 : 0.0) + (sides_[1] ? 1.0 : 0.0);
-    scale_ = std::cbrt(millilitres(volume) / lungs / 3500.0);  // lengths are those of a 3.5 l lung
+    scale_ = bronchialScale(lobes);
   }
 
   AirwayTree build() {
@@ -85,16 +58,10 @@ class TemplateBuilder {
 
   /// A way of at least `lengthMm` from `from` towards the lobe's centre that ends inside the lobe.
   void addLobar(int parent, const Vec3& from, std::size_t region, double lengthMm, int generation) {
-    const Vec3 way = centres_[region] - from;
-    const double whole = way.norm();
-    const Domain& domain = *lobes_[region].domain;
-    double length = std::min(lengthMm, 0.9 * whole);
-    while (length < whole && !domain.contains(from + way * (length / whole))) length += 1.0;
     // A little further in, so that the first daughters start well inside.
-    const double further = std::min(length + 3.0 * scale_, whole);
-    if (domain.contains(from + way * (further / whole))) length = further;
-    length = std::min(length, whole);
-    add(parent, from, from + way * (length / whole), generation, lobes_[region].lobe);
+    const Vec3 end =
+        lobarEnd(*lobes_[region].domain, from, centres_[region], lengthMm, 3.0 * scale_);
+    add(parent, from, end, generation, lobes_[region].lobe);
   }
 
   void trunkOnly() {
@@ -117,8 +84,8 @@ class TemplateBuilder {
                                   : (right.max().x() + left.min().x()) / 2.0;
     const Vec3 carina(x, box_.center().y(), box_.max().z() - 0.41 * box_.sizes().z());
     const int trachea = add(-1, carina + Vec3(0.0, 0.0, 142.0 * scale_), carina, 0, Lobe::Central);
-    if (sides_[0]) oneLung(trachea, carina, Side::Right, 24.4, 30.0);
-    if (sides_[1]) oneLung(trachea, carina, Side::Left, 47.6, 50.0);
+    if (sides_[0]) oneLung(trachea, carina, Side::Right, 30.0);
+    if (sides_[1]) oneLung(trachea, carina, Side::Left, 50.0);
   }
 
   std::optional<std::size_t> regionOf(Lobe lobe) const {
@@ -127,13 +94,12 @@ class TemplateBuilder {
     return static_cast<std::size_t>(found - lobes_.begin());
   }
 
-  void oneLung(int trachea, const Vec3& carina, Side which, double mainLengthMm,
-               double mainAngleDeg) {
+  void oneLung(int trachea, const Vec3& carina, Side which, double mainAngleDeg) {
     const double lateral = which == Side::Left ? 1.0 : -1.0;  // LPS: x grows to the left
     const Vec3 mainDirection =
         Vec3(lateral * std::sin(radians(mainAngleDeg)), 0.15, -std::cos(radians(mainAngleDeg)))
             .normalized();
-    const Vec3 mainEnd = carina + mainLengthMm * scale_ * mainDirection;
+    const Vec3 mainEnd = carina + mainBronchusMm(which) * scale_ * mainDirection;
     const int main = add(trachea, carina, mainEnd, 1, Lobe::Central);
 
     std::vector<std::size_t> fromMain;
@@ -143,7 +109,9 @@ class TemplateBuilder {
       const bool below = lobes_[i].lobe == Lobe::RightMiddle || lobes_[i].lobe == Lobe::RightLower;
       (below ? fromIntermediate : fromMain).push_back(i);
     }
-    for (const std::size_t region : fromMain) addLobar(main, mainEnd, region, 16.9 * scale_, 2);
+    for (const std::size_t region : fromMain) {
+      addLobar(main, mainEnd, region, lobarBronchusMm(lobes_[region].lobe) * scale_, 2);
+    }
     if (fromIntermediate.size() == 1)
       addLobar(main, mainEnd, fromIntermediate[0], 26.7 * scale_, 2);
     if (fromIntermediate.size() < 2) return;
@@ -156,8 +124,7 @@ class TemplateBuilder {
     const Vec3 end = mainEnd + 29.8 * scale_ * direction;
     const int intermediate = add(main, mainEnd, end, 2, Lobe::Central);
     for (const std::size_t region : fromIntermediate) {
-      const double length = lobes_[region].lobe == Lobe::RightMiddle ? 18.0 : 26.7;
-      addLobar(intermediate, end, region, length * scale_, 3);
+      addLobar(intermediate, end, region, lobarBronchusMm(lobes_[region].lobe) * scale_, 3);
     }
   }
 

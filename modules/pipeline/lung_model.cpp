@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "anatomy/central_airways.h"
+#include "anatomy/lobar_bronchi.h"
 #include "core/error.h"
 #include "core/parallel.h"
 #include "core/seconds.h"
@@ -104,6 +105,17 @@ std::shared_ptr<const std::vector<LobeRegion>> regionsOf(const std::vector<LobeS
 
 bool hasGrownBranches(const AirwayTree& tree) {
   return std::ranges::any_of(tree, [](const Branch& b) { return b.origin == Origin::Grown; });
+}
+
+/// What a person should know of lobes that the central airways end before.
+std::string sentenceOf(std::span<const Lobe> ledInto) {
+  std::string lobes;
+  for (std::size_t i = 0; i < ledInto.size(); ++i) {
+    if (i > 0) lobes += i + 1 < ledInto.size() ? ", " : " and ";
+    lobes += longName(ledInto[i]);
+  }
+  return "the central airways end before the " + lobes +
+         ": a straight airway leads into each from the nearest branch, marked as template";
 }
 
 /// A central tree that says nothing of lobes; which lobe each branch serves shows when it is grown
@@ -326,8 +338,10 @@ LungModel grow(const LungModel& model, const GrowthOptions& options, const Progr
   growth->options = options;
   growth->domainSeconds = secondsSince(start);
   start = std::chrono::steady_clock::now();
+  const LedAirways led = ledIntoLobes(*next.central, *next.regions);
   growth->result =
-      growAirways(*next.central, *next.regions, options, progress.part(0.1, 0.9, "growing"));
+      growAirways(led.airways, *next.regions, options, progress.part(0.1, 0.9, "growing"));
+  if (!led.lobes.empty()) growth->result.warnings.push_back(sentenceOf(led.lobes));
   growth->growSeconds = secondsSince(start);
   const AirwayTree& tree = growth->result.tree;
   const Progress checking = progress.part(0.9, 1.0, "checking the tree");

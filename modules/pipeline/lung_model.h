@@ -113,7 +113,8 @@ GrowthOptions withSeed(GrowthOptions options, std::uint64_t seed);
 /// @throws InvalidInput if there is no lobe, or a surface is not fit to grow in
 LungModel readyToGrow(const LungModel& model);
 
-/// Grows a tree: makes the model ready, grows, checks, finds the efficiency.
+/// Grows a tree: makes the model ready, leads central airways into lobes that they end before (with
+/// a warning in the result), grows, checks, finds the efficiency.
 /// Returns a new model with the growth replaced. @throws as growAirways()
 LungModel grow(const LungModel& model, const GrowthOptions& options, const Progress& progress = {});
 

@@ -83,6 +83,9 @@ Project projectOfRecipe(const Recipe& recipe, Stage upTo, std::vector<StageResul
   if (upTo >= Stage::Airways && recipe.grow) {
     doStage(Stage::Airways, model, results,
             [&] { return grow(model, recipe.growth, progress.part(0.7, 1.0, "growing")); });
+    results.back().warnings.insert(results.back().warnings.end(),
+                                   model.growth->result.warnings.begin(),
+                                   model.growth->result.warnings.end());
     project.state.grownIn = model.surfaces;
   }
   progress.report(1.0);

@@ -203,6 +203,8 @@ class Runner {
               textOf(growthReport(model, measured.whole, measured.byLobe, 0.0, 0.0)));
     result.files.emplace_back(run_files::Growth);
     result.warnings = model.warnings;
+    const std::vector<std::string>& grown = model.growth->result.warnings;
+    result.warnings.insert(result.warnings.end(), grown.begin(), grown.end());
     result.state = StageState::Done;
     folder_.remember(result, airwaysKey_);
     return result;

@@ -1,13 +1,18 @@
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "core/error.h"
 #include "geometry/mesh_topology.h"
+#include "io/temp_folder.h"
+#include "io/tree_file.h"
 #include "io/volume_file.h"
 #include "pipeline/ct_model.h"
+#include "pipeline/run_recipe.h"
 #include "pipeline/split_lobes.h"
 #include "segmentation/label_agreement.h"
 #include "support/stop_watch_sink.h"
@@ -95,6 +100,26 @@ TEST(RealCt, LungsOfLungDxA0001) {
   const auto path = dataPath("ct_lung_dx_a0001_dicom/series");
   NEED_DATA(path);
   expectGood(*withLungs(openCt(path)).lungs, 3169.0, 2279.0, 0.04);
+}
+
+TEST(RealCt, LungDxA0001GoesFromCtToTreeThoughItsAirwaysEndBeforeThreeLobes) {
+  const auto path = dataPath("ct_lung_dx_a0001_dicom/series");
+  NEED_DATA(path);
+  const testing::TempFolder folder;
+  Recipe recipe;
+  recipe.ct = path;
+  RunOptions options;
+  options.folder = folder / "case";
+  const std::vector<StageResult> results = runRecipe(recipe, options);
+  const auto airways = std::ranges::find(results, Stage::Airways, &StageResult::stage);
+  ASSERT_NE(airways, results.end());
+  EXPECT_EQ(airways->state, StageState::Done);
+  EXPECT_THAT(airways->warnings, ::testing::Contains(::testing::HasSubstr(
+                                     "right upper lobe, right middle lobe and left upper lobe")));
+  const AirwayTree tree = readTree(options.folder / run_files::Tree).tree;
+  for (const Lobe lobe : FiveLobes) {
+    EXPECT_GT(std::ranges::count(tree, lobe, &Branch::lobe), 1000) << longName(lobe);
+  }
 }
 
 TEST(RealCt, LungsOfCip64AgreeWithItsLabels) {
