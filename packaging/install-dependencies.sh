@@ -11,6 +11,8 @@ packages=(
   libeigen3-dev libtbb-dev libnanoflann-dev
   # surfaces, pictures, window
   libcgal-dev libopencv-dev libvtk9-dev libvtk9-qt-dev qtbase5-dev libqt5svg5-dev
+  # the part of the window that knows no widget is compiled against Qt 6 too
+  qt6-base-dev
   # CT: DICOM series, zips of them, compressed volumes
   libvtk-dicom-dev libarchive-dev zlib1g-dev
   # command line, reports (JSON, PDF), hashes of inputs

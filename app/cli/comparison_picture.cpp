@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cli/model_scene.h"
 #include "cli/text.h"
 #include "pipeline/organs.h"
+#include "views/model_scene.h"
 
 namespace pneuma::cli {
 namespace {

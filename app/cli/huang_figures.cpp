@@ -1,7 +1,7 @@
 #include <array>
 
-#include "cli/model_scene.h"
 #include "cli/paper_figure.h"
+#include "views/model_scene.h"
 
 namespace pneuma::cli {
 namespace {

@@ -5,7 +5,6 @@
 
 #include "cli/command.h"
 #include "cli/files.h"
-#include "cli/model_scene.h"
 #include "cli/picture_arguments.h"
 #include "cli/pose_picture.h"
 #include "cli/series_picture.h"
@@ -16,6 +15,7 @@
 #include "render/movie.h"
 #include "render/picture.h"
 #include "render/stereo.h"
+#include "views/model_scene.h"
 
 namespace pneuma::cli {
 namespace {

@@ -8,7 +8,7 @@
 #include "pipeline/case_document.h"
 #include "pipeline/case_parts.h"
 #include "pipeline/case_report.h"
-#include "render/four_sides.h"
+#include "views/case_pictures.h"
 
 namespace pneuma::cli {
 namespace {
@@ -17,21 +17,6 @@ struct ReportArguments {
   std::vector<std::filesystem::path> inputs;
   CaseReportOptions options;
 };
-
-/// The lungs from four sides, on white as paper is.
-std::vector<PagePicture> picturesOf(const LungModel& model, const Progress& progress) {
-  std::vector<SceneSurface> surfaces;
-  if (model.surfaces) {
-    for (const LobeSurface& surface : *model.surfaces) {
-      surfaces.push_back({surface.lobe, surface.mesh});
-    }
-  }
-  std::vector<PagePicture> pictures;
-  for (const SideView& view : fourSides(surfaces, treeOf(model), progress)) {
-    pictures.push_back({view.caption, pngText(view.picture)});
-  }
-  return pictures;
-}
 
 std::string failures(const Json& report) {
   std::string text;
@@ -54,7 +39,7 @@ ExitCode runReport(const ReportArguments& arguments, const CommonOptions& common
   const Json report = caseReport(project, arguments.options, progress.part(0.3, 0.8, "measuring"));
   std::vector<PagePicture> pictures;
   if (hasPictures(common.output)) {
-    pictures = picturesOf(project.state.model, progress.part(0.8, 1.0, "drawing"));
+    pictures = casePictures(project.state.model, progress.part(0.8, 1.0, "drawing"));
   }
   const std::string text = caseDocument(common.output, report, pictures);
   OutputSet outputs;

@@ -1,9 +1,9 @@
 #include <array>
 
 #include "breathing/strain_assignment.h"
-#include "cli/model_scene.h"
 #include "cli/paper_figure.h"
 #include "render/chart.h"
+#include "views/model_scene.h"
 
 namespace pneuma::cli {
 namespace {

@@ -7,12 +7,12 @@
 #include <string>
 #include <utility>
 
-#include "cli/model_scene.h"
 #include "io/multiblock_file.h"
 #include "io/surface_file.h"
 #include "io/tree_file.h"
 #include "pipeline/breathe_files.h"
 #include "pipeline/lobe_parts.h"
+#include "views/model_scene.h"
 
 namespace pneuma::cli {
 namespace {

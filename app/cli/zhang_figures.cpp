@@ -1,9 +1,9 @@
 #include <array>
 
-#include "cli/model_scene.h"
 #include "cli/outline_picture.h"
 #include "cli/paper_figure.h"
 #include "growth/outline_aggregation.h"
+#include "views/model_scene.h"
 
 namespace pneuma::cli {
 namespace {

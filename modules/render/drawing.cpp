@@ -20,6 +20,7 @@ namespace {
 constexpr int LogicalDpi = 72;
 constexpr Rgb HaloColour = {0.0, 0.0, 0.0};
 constexpr double HaloShare = 0.8;
+constexpr double PlateShare = 0.5;
 
 std::uint8_t* bytesAt(Picture& picture, int x, int y) {
   return picture.rgb.data() +
@@ -201,6 +202,9 @@ void drawText(Picture& picture, const std::string& text, const TextPlace& place,
                          aligned(place.y, capitals.bottom - capitals.top, place.vertical))) -
                      capitals.top;
   if (halo > 0) {
+    const double pad = 3.0 * halo;
+    fillBox(picture, firstX - pad, firstY + capitals.top - pad, firstX + mask.width + pad,
+            firstY + capitals.bottom + pad, HaloColour, PlateShare);
     for (int y = -halo; y < mask.height + halo; ++y) {
       for (int x = -halo; x < mask.width + halo; ++x) {
         int most = 0;

@@ -44,7 +44,7 @@ void drawPolyline(Picture& picture, std::span<const std::array<double, 2>> point
                   const Rgb& colour);
 
 /// A line of text in the picture's font, placed by the height of its capitals.
-/// @param halo pixels of shadow round it, so that it can be read on any ground
+/// @param halo pixels of shadow round it, on a darkened plate, so that it can be read on any ground
 void drawText(Picture& picture, const std::string& text, const TextPlace& place, int fontPixels,
               const Rgb& ink, int halo = 0);
 

@@ -17,7 +17,7 @@ set(pipeline_MAY_USE core anatomy growth geometry lobes breathing segmentation i
 set(render_MAY_USE core anatomy)
 
 list(JOIN MODULES "|" OUR_FOLDERS)
-string(APPEND OUR_FOLDERS "|app|cli|gui|tests|support")
+string(APPEND OUR_FOLDERS "|app|cli|gui|views|tests|support")
 set(MAX_LINES 450)
 
 set_property(GLOBAL PROPERTY BREACHES "")

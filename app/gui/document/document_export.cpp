@@ -6,28 +6,10 @@
 #include "document/text.h"
 #include "io/atomic_file.h"
 #include "pipeline/case_document.h"
-#include "render/four_sides.h"
+#include "views/case_pictures.h"
 
 // Writing what other programs and people read.
 namespace pneuma {
-
-namespace {
-
-std::vector<PagePicture> reportPictures(const LungModel& model, const Progress& progress) {
-  std::vector<SceneSurface> surfaces;
-  if (model.surfaces) {
-    for (const LobeSurface& surface : *model.surfaces) {
-      surfaces.push_back({surface.lobe, surface.mesh});
-    }
-  }
-  std::vector<PagePicture> pictures;
-  for (const SideView& view : fourSides(surfaces, treeOf(model), progress)) {
-    pictures.push_back({view.caption, pngText(view.picture)});
-  }
-  return pictures;
-}
-
-}  // namespace
 
 std::vector<std::filesystem::path> Document::filesInTheWay(
     ExportPreset preset, const std::filesystem::path& folder) const {
@@ -67,7 +49,7 @@ void Document::saveReport(const std::filesystem::path& path, const CaseReportOpt
     const Json report = caseReport(project, options, progress.part(0.0, 0.7, "measuring"));
     std::vector<PagePicture> pictures;
     if (hasPictures(path)) {
-      pictures = reportPictures(project.state.model, progress.part(0.7, 1.0, "drawing"));
+      pictures = casePictures(project.state.model, progress.part(0.7, 1.0, "drawing"));
     }
     writeFile(path, caseDocument(path, report, pictures));
     return JobQueue::Continuation([this, path, checks = report.at("checks").size()] {

@@ -13,6 +13,7 @@
 #include "document/text.h"
 #include "io/atomic_file.h"
 #include "pipeline/lobes_model.h"
+#include "views/model_scene.h"
 #include "widgets/ct_views.h"
 #include "widgets/dialogs.h"
 #include "widgets/error_card.h"
@@ -229,15 +230,7 @@ void MainWindow::showScene() {
   const auto whole = wholeLungsOf(snapshot.model);
   const bool otherLungs = otherSurfaces && (!whole || whole != shownWhole_);
   shownWhole_ = whole;
-  if (otherSurfaces) {
-    std::vector<SceneSurface> surfaces;
-    if (snapshot.model.surfaces) {
-      for (const LobeSurface& surface : *snapshot.model.surfaces) {
-        surfaces.push_back({surface.lobe, surface.mesh});
-      }
-    }
-    view_->setSurfaces(std::move(surfaces));
-  }
+  if (otherSurfaces) view_->setSurfaces(sceneSurfaces(snapshot.model.surfaces));
   const auto& labels = snapshot.model.labels ? snapshot.model.labels : snapshot.lungLabels;
   sliceViews_.show(snapshot.model.ct, labels);
   sliceBar_->setVisible(snapshot.model.ct != nullptr);

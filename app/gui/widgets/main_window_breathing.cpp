@@ -10,6 +10,7 @@
 #include "widgets/main_window.h"
 #include "widgets/scene_view.h"
 #include "widgets/step_button.h"
+#include "views/model_scene.h"
 
 // What the window does for breathing.
 namespace pneuma {
@@ -71,13 +72,7 @@ void MainWindow::showBreathing() {
     view_->setPlaying(true);  // before anything is made that is shown only once they stand
     view_->setSurfaces(breath->surfaces);
   } else {
-    std::vector<SceneSurface> surfaces;
-    if (shownSurfaces_) {
-      for (const LobeSurface& surface : *shownSurfaces_) {
-        surfaces.push_back({surface.lobe, surface.mesh});
-      }
-    }
-    view_->setSurfaces(std::move(surfaces));
+    view_->setSurfaces(sceneSurfaces(shownSurfaces_));
   }
   applyVisibility();
   player_.setBreath(breath);

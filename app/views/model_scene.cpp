@@ -1,9 +1,9 @@
-#include "cli/model_scene.h"
+#include "views/model_scene.h"
 
 #include <algorithm>
 #include <memory>
 
-namespace pneuma::cli {
+namespace pneuma {
 namespace {
 
 std::vector<Vec3> stillPoints(const TriangleMesh& mesh) {
@@ -11,6 +11,14 @@ std::vector<Vec3> stillPoints(const TriangleMesh& mesh) {
 }
 
 }  // namespace
+
+std::vector<SceneSurface> sceneSurfaces(
+    const std::shared_ptr<const std::vector<LobeSurface>>& surfaces) {
+  std::vector<SceneSurface> drawn;
+  if (!surfaces) return drawn;
+  for (const LobeSurface& surface : *surfaces) drawn.push_back({surface.lobe, surface.mesh});
+  return drawn;
+}
 
 void showModel(Scene& scene, const LungModel& model, const std::vector<Lobe>& hidden) {
   std::vector<SceneSurface> surfaces;
@@ -37,4 +45,4 @@ void showModel(Scene& scene, const LungModel& model, const std::vector<Lobe>& hi
   if (!still->shells.empty()) scene.setBreathing(std::move(still));
 }
 
-}  // namespace pneuma::cli
+}  // namespace pneuma
