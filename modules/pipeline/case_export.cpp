@@ -11,6 +11,7 @@
 #include "io/volume_file.h"
 #include "pipeline/breathe_files.h"
 #include "pipeline/case_parts.h"
+#include "pipeline/case_recipe.h"
 #include "pipeline/case_report.h"
 #include "pipeline/lobe_files.h"
 #include "pipeline/lobe_labels.h"
@@ -121,6 +122,8 @@ void writeAirways(const fs::path& folder, const LungModel& model, const Progress
       throw InvalidInput(start + "the case has no labels, and no lungs that were split into lobes");
     case ExportLack::Tree:
       throw InvalidInput(start + "the case has no airways");
+    case ExportLack::FoundLungs:
+      throw InvalidInput(start + "the case has no lungs that were found in a CT");
     default:
       throw InvalidInput(start + "the case has neither surfaces nor airways");
   }
@@ -139,6 +142,8 @@ ExportLack lackOf(ExportPreset preset, const ProjectState& state) {
     case ExportPreset::Segmentation:
       return model.labels || (model.lobes && model.wholeLungs) ? ExportLack::Nothing
                                                                : ExportLack::Labels;
+    case ExportPreset::Recipe:
+      return hasRecipe(state) ? ExportLack::Nothing : ExportLack::FoundLungs;
     case ExportPreset::Tree:
       break;
   }
@@ -165,6 +170,8 @@ std::vector<fs::path> presetOutputs(ExportPreset preset, const ProjectState& sta
       return files;
     case ExportPreset::Segmentation:
       return {LabelFile};
+    case ExportPreset::Recipe:
+      return recipeFiles(state);
     case ExportPreset::Tree:
       break;
   }
@@ -190,6 +197,9 @@ void writePreset(const fs::path& folder, ExportPreset preset, const ProjectState
       break;
     case ExportPreset::Tree:
       writeAirways(staged.path(), state.model, progress);
+      break;
+    case ExportPreset::Recipe:
+      writeRecipe(staged.path(), state);
       break;
   }
   progress.report(1.0);

@@ -16,15 +16,16 @@ enum class ExportPreset {
   Paraview,      ///< surfaces, fissures and trees as VTP with a .vtm that names them; the breath
   Print,         ///< every surface as STL, mm
   Segmentation,  ///< the labels, with lobes where lungs were split, as NIfTI
-  Tree           ///< the airways as VTP, SWC, CSV and JSON
+  Tree,          ///< the airways as VTP, SWC, CSV and JSON
+  Recipe         ///< what was done, for `pneuma run` to do it again
 };
 
-constexpr std::array<std::string_view, 4> choices(ExportPreset) {
-  return {"paraview", "print", "segmentation", "tree"};
+constexpr std::array<std::string_view, 5> choices(ExportPreset) {
+  return {"paraview", "print", "segmentation", "tree", "recipe"};
 }
 
 /// What a case lacks for a preset.
-enum class ExportLack { Nothing, Anything, Surfaces, Labels, Tree };
+enum class ExportLack { Nothing, Anything, Surfaces, Labels, Tree, FoundLungs };
 
 ExportLack lackOf(ExportPreset preset, const ProjectState& state);
 
@@ -38,7 +39,7 @@ struct MadeBreath {
 };
 
 /// Writes what a preset makes of a case into a folder: everything, or nothing. Names of the case
-/// and its files go nowhere.
+/// and its files go nowhere, but for the path of the CT in a recipe.
 /// @throws InvalidInput if the case has nothing that the preset takes; OutputFailed; as breathe();
 /// Cancelled
 void writePreset(const std::filesystem::path& folder, ExportPreset preset,

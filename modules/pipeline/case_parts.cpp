@@ -7,6 +7,7 @@
 #include "io/fissure_file.h"
 #include "io/surface_file.h"
 #include "io/volume_file.h"
+#include "pipeline/case_recipe.h"
 
 namespace pneuma {
 namespace {
@@ -16,16 +17,6 @@ std::string inSmallLetters(std::string_view text) {
   std::ranges::transform(lower, lower.begin(),
                          [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return lower;
-}
-
-/// With the surfaces that fissures are given by beside them.
-void writeGiven(const std::filesystem::path& file, GivenFissures given) {
-  for (auto& [fissure, one] : given) {
-    if (!one.patch) continue;
-    one.patch->file = file.parent_path() / (std::string(shortName(fissure)) + ".vtp");
-    writeSurface(one.patch->file, *one.patch->mesh);
-  }
-  writeFissures(file, given);
 }
 
 }  // namespace
@@ -51,8 +42,9 @@ std::vector<CasePart> partsOf(const ProjectState& state) {
                      }});
   }
   if (const GivenFissures given = givenOf(state.lobeEdits); !given.empty()) {
-    parts.push_back({"fissures", nullptr, nullptr, "fissures.json",
-                     [given](const std::filesystem::path& file) { writeGiven(file, given); }});
+    parts.push_back(
+        {"fissures", nullptr, nullptr, "fissures.json",
+         [given](const std::filesystem::path& file) { writeGivenFissures(file, given); }});
   }
   return parts;
 }

@@ -1,8 +1,10 @@
 #include "pipeline/lobe_shares.h"
 
+#include <algorithm>
 #include <sstream>
 
 #include "core/error.h"
+#include "core/options.h"
 
 namespace pneuma {
 namespace {
@@ -26,6 +28,23 @@ LobeShares sharesOf(const std::string& text, std::size_t count) {
 }
 
 }  // namespace
+
+std::string textOfLobeShares(const std::map<Side, LobeShares>& shares) {
+  const auto isUsual = [](const auto& entry) { return entry.second == usualShares(entry.first); };
+  if (shares.size() == 2 && std::ranges::all_of(shares, isUsual)) return "usual";
+  std::string text;
+  for (const Side of : {Side::Right, Side::Left}) {
+    const auto wanted = shares.find(of);
+    if (wanted == shares.end()) continue;
+    if (!text.empty()) text += "/";
+    std::string list;
+    for (const double share : wanted->second) {
+      list += (list.empty() ? "" : ",") + textOf(100.0 * share);
+    }
+    text += list;
+  }
+  return text;
+}
 
 std::map<Side, LobeShares> lobeSharesOfText(const std::string& text) {
   if (text.empty()) return {};

@@ -12,4 +12,7 @@ namespace pneuma {
 /// @throws InvalidOption
 std::map<Side, LobeShares> lobeSharesOfText(const std::string& text);
 
+/// Back to text: "40.5,12.9,46.6/50,50".
+std::string textOfLobeShares(const std::map<Side, LobeShares>& shares);
+
 }  // namespace pneuma

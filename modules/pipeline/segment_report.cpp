@@ -78,8 +78,12 @@ std::string sentence(const SegmentationCheck& check) {
   const std::string unit = check.unit.empty() ? "" : " " + check.unit;
   const int digits = check.unit.empty() || check.unit == "ml" ? 2 : 1;
   if (check.low == check.high || check.unit == "votes") return check.advice;  // yes or no
-  return check.what + ": " + fixed(check.value, digits) + unit + ", outside " +
-         fixed(check.low, digits) + " to " + fixed(check.high, digits) + unit + "; " + check.advice;
+  constexpr double NoLimit = 1e9;
+  const std::string wanted = check.high >= NoLimit ? ", below " + fixed(check.low, digits)
+                                                   : ", outside " + fixed(check.low, digits) +
+                                                         " to " + fixed(check.high, digits);
+  return check.what + ": " + fixed(check.value, digits) + unit + wanted + unit + "; " +
+         check.advice;
 }
 
 Json segmentReport(const LungModel& model, const LungOptions& options, double readSeconds,

@@ -67,6 +67,9 @@ succeeds "labels have lobes" compare labels/labels.nii.gz labels/labels.nii.gz
 prints "^RML +[1-9]"
 succeeds "as a tree" export case.pneuma --preset tree -o tree4 -q
 expect "not four files" test "$(ls tree4 | tr '\n' ' ')" = "tree.csv tree.json tree.swc tree.vtp "
+succeeds "as a recipe" export case.pneuma --preset recipe -o recipe -q
+succeeds "which runs" run recipe/recipe.json --dry-run -o other
+refuses "no recipe of surfaces" 4 'no lungs that were found in a CT' export parts/rul.stl --preset recipe -o other
 refuses "over files that are there" 6 '--force' export case.pneuma --preset tree -o tree4
 succeeds "over them all the same" export case.pneuma --preset tree -o tree4 -f -q
 refuses "no such preset" 2 "did you mean 'print'" export case.pneuma --preset prin -o other

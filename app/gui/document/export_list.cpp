@@ -19,6 +19,8 @@ QString sentenceOf(ExportLack lack) {
       return QObject::tr("Needs labels: find the lungs of a CT, or split lungs into lobes.");
     case ExportLack::Tree:
       return QObject::tr("Needs airways: open a tree or grow one.");
+    case ExportLack::FoundLungs:
+      return QObject::tr("Needs lungs that were found in a CT.");
     case ExportLack::Anything:
       break;
   }
@@ -43,6 +45,8 @@ std::optional<ExportPreset> presetOf(ExportKind kind) {
       return ExportPreset::Segmentation;
     case ExportKind::Tree:
       return ExportPreset::Tree;
+    case ExportKind::Recipe:
+      return ExportPreset::Recipe;
     case ExportKind::Figure:
     case ExportKind::Report:
       break;
@@ -73,6 +77,11 @@ std::vector<ExportRow> exportRows(const Snapshot& snapshot) {
        "tree",
        tr("Airway tree"),
        tr("VTP, JSON: everything. SWC, CSV: points and radii."),
+       {}},
+      {ExportKind::Recipe,
+       "recipe",
+       tr("Recipe"),
+       tr("Options and fissures, for 'pneuma run' to do all of it again; tells where the CT is."),
        {}},
       {ExportKind::Figure, "figure", tr("Figure"), tr("The 3-D view as it is: PNG."), {}},
       {ExportKind::Report,

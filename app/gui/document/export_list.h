@@ -10,9 +10,9 @@
 namespace pneuma {
 
 /// What the step "Export" offers.
-enum class ExportKind { Paraview, Print, Segmentation, Tree, Figure, Report };
+enum class ExportKind { Paraview, Print, Segmentation, Tree, Recipe, Figure, Report };
 
-inline constexpr int ExportKinds = 6;
+inline constexpr int ExportKinds = 7;
 
 /// The preset that makes it; none for a picture and a report.
 std::optional<ExportPreset> presetOf(ExportKind kind);
