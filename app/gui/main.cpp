@@ -9,7 +9,9 @@
 
 #include "core/error.h"
 #include "document/recovery.h"
+#include "io/atomic_file.h"
 #include "pipeline/report.h"
+#include "script_recorder.h"
 #include "scripting.h"
 #include "widgets/application.h"
 #include "widgets/dialogs.h"
@@ -37,14 +39,17 @@ struct CommandLine {
   QCommandLineOption version{{"v", "version"}, "Show the version."};
   QCommandLineOption theme{"theme", "dark or light.", "name"};
   QCommandLineOption play{"play", "Play a script of steps, then quit.", "script.json"};
+  QCommandLineOption record{"record", "Write what is done in the window as a script for --play.",
+                            "script.json"};
   QCommandLineOption screenshots{"screenshots", "Folder for the script's pictures.", "folder", "."};
 
   CommandLine() {
     parser.setApplicationDescription(
         "Grows and shows airway trees in lung lobes. Research use only; not a medical device.");
     play.setFlags(QCommandLineOption::HiddenFromHelp);
+    record.setFlags(QCommandLineOption::HiddenFromHelp);
     screenshots.setFlags(QCommandLineOption::HiddenFromHelp);
-    parser.addOptions({help, version, theme, play, screenshots});
+    parser.addOptions({help, version, theme, play, record, screenshots});
     parser.addPositionalArgument(
         "FILE", "A project, a CT, surfaces, folders and airway trees to open.", "[FILE...]");
   }
@@ -106,7 +111,15 @@ int runWindow(const CommandLine& line) {
           playScript(window, line.parser.value(line.play), line.parser.value(line.screenshots)));
     });
   }
-  return QApplication::exec();
+  if (!line.parser.isSet(line.record)) return QApplication::exec();
+  const ScriptRecorder recorder(window);
+  const int result = QApplication::exec();
+  try {
+    writeFile(line.parser.value(line.record).toStdString(), recorder.text().toStdString());
+  } catch (const Error& error) {
+    return say(stderr, std::string("pneuma-desktop: ") + error.what() + "\n", error.code());
+  }
+  return result;
 }
 
 }  // namespace

@@ -20,6 +20,7 @@
 #include <QScreen>
 #include <QTimer>
 #include <QWheelEvent>
+#include <cstdio>
 #include <utility>
 #include <vector>
 
@@ -91,6 +92,7 @@ void ScriptPlayer::play(const QString& file) {
   const QJsonDocument json = QJsonDocument::fromJson(script.readAll(), &error);
   if (!json.isArray()) fail(QStringLiteral("the script is no JSON list: ") + error.errorString());
   int number = 0;
+  lap_.start();
   for (const auto& entry : json.array()) {
     ++number;
     const QJsonObject step = entry.toObject();
@@ -144,7 +146,12 @@ void ScriptPlayer::perform(const QJsonObject& step) {
   } else if (what == QLatin1String("drag-mark")) {
     dragMark(step);
   } else if (what == QLatin1String("wheel")) {
-    turnWheel(name, step[QStringLiteral("notches")].toInt());
+    for (int n = step[QStringLiteral("times")].toInt(1); n > 0; --n) {
+      turnWheel(name, step[QStringLiteral("notches")].toInt());
+      QApplication::processEvents();  // every turn is seen
+    }
+  } else if (what == QLatin1String("lap")) {
+    std::printf("%s: %.3f s\n", qUtf8Printable(name), 0.001 * static_cast<double>(lap_.restart()));
   } else if (what == QLatin1String("resize")) {
     window_.resize(step[QStringLiteral("width")].toInt(), step[QStringLiteral("height")].toInt());
   } else if (what == QLatin1String("screenshot")) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QElapsedTimer>
 #include <QJsonObject>
 #include <QString>
 #include <stdexcept>
@@ -21,9 +22,10 @@ class ScriptError : public std::runtime_error {
 /// and for the pictures of the manual. Steps are JSON objects, each with "do":
 ///   open {paths}, click {name}, trigger {name}, set {name, value}, key {name, keys}, wait
 ///   {seconds}, pause {seconds}, click-branch {index}, click-point {name, point: [x, y, z]},
-///   drag-point {name, from, to}, drag-mark {index, by: [right, down]}, wheel {name, notches},
-///   resize {width, height}, screenshot {file}, save-clipboard {file}, expect {name, property |
-///   state, equals | contains | above | below}, wait-until {the same, seconds}
+///   drag-point {name, from, to}, drag-mark {index, by: [right, down]}, wheel {name, notches,
+///   times}, lap {name} (prints the seconds since the last lap), resize {width, height}, screenshot
+///   {file}, save-clipboard {file}, expect {name, property | state, equals | contains | above |
+///   below}, wait-until {the same, seconds}
 /// `name` is a widget's or action's object name. ${NAME} in a text is an environment variable,
 /// ${OUT} the folder of the screenshots.
 class ScriptPlayer {
@@ -55,6 +57,7 @@ class ScriptPlayer {
 
   MainWindow& window_;
   QString outFolder_;
+  QElapsedTimer lap_;
 };
 
 }  // namespace pneuma

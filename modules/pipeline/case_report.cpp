@@ -133,6 +133,19 @@ std::string without(std::string text, const std::string& name, const std::string
   return text;
 }
 
+/// Of reading and finding, of splitting and of growing.
+std::vector<std::string> warningsOf(const LungModel& model) {
+  std::vector<std::string> warnings = model.warnings;
+  const auto add = [&](const std::vector<std::string>& some) {
+    for (const std::string& sentence : some) {
+      if (std::ranges::find(warnings, sentence) == warnings.end()) warnings.push_back(sentence);
+    }
+  };
+  if (model.lobes) add(model.lobes->warnings);
+  if (model.growth) add(model.growth->result.warnings);
+  return warnings;
+}
+
 }  // namespace
 
 void hideFileNames(Json& report) {
@@ -191,7 +204,7 @@ Json caseReport(const Project& project, const CaseReportOptions& options,
                          {"figures", figuresOf(json.at("morphometry"))}};
     checks.add("airways", checksOf(measured));
   }
-  report["warnings"] = model.warnings;
+  report["warnings"] = warningsOf(model);
   if (state.breath && surfaces) {
     const BreathingLungs lungs =
         breathe(model, *state.breath, progress.part(0.6, 1.0, "breathing"));
