@@ -14,10 +14,11 @@ add_library(pneuma_compile_options INTERFACE)
 target_compile_options(
   pneuma_compile_options
   INTERFACE -Wall -Wextra -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -ffp-contract=off
-            $<$<BOOL:${PNEUMA_WERROR}>:-Werror>
-            "$<$<BOOL:${PNEUMA_SANITIZE}>:-fsanitize=${PNEUMA_SANITIZE};-fno-omit-frame-pointer>")
-target_link_options(pneuma_compile_options INTERFACE
-                    "$<$<BOOL:${PNEUMA_SANITIZE}>:-fsanitize=${PNEUMA_SANITIZE}>")
+            $<$<BOOL:${PNEUMA_WERROR}>:-Werror>)
+if(PNEUMA_SANITIZE) # a list with commas, which a generator expression would take for arguments
+  target_compile_options(pneuma_compile_options INTERFACE -fsanitize=${PNEUMA_SANITIZE} -fno-omit-frame-pointer)
+  target_link_options(pneuma_compile_options INTERFACE -fsanitize=${PNEUMA_SANITIZE})
+endif()
 
 # pneuma_precompile(<target> [<header> ...])
 # Compiles the standard library, Eigen and the headers given once for the target instead of once for

@@ -16,12 +16,15 @@
 #include "widgets/application.h"
 #include "widgets/dialogs.h"
 #include "widgets/main_window.h"
+#include "widgets/size_menu.h"
 
 namespace {
 
 using namespace pneuma;
 
 constexpr const char* ThemeKey = "theme";
+constexpr const char* SizeKey = "size";
+constexpr int UsualSize = 100;
 constexpr const char* RecentKey = "recent";
 
 bool hasDisplay() {
@@ -70,6 +73,12 @@ int playScript(MainWindow& window, const QString& script, const QString& folder)
   }
 }
 
+/// Before there is an application that knows its settings' names.
+int chosenSize() {
+  const QSettings settings(QStringLiteral("pneuma"), QStringLiteral("pneuma-desktop"));
+  return settings.value(SizeKey, UsualSize).toInt();
+}
+
 int runWindow(const CommandLine& line) {
   const bool playing = line.parser.isSet(line.play);
   // A script must not depend on what somebody chose last.
@@ -81,6 +90,10 @@ int runWindow(const CommandLine& line) {
   window.setTheme(theme == QLatin1String("light") ? ThemeName::Light : ThemeName::Dark);
   QObject::connect(&window, &MainWindow::themeChosen, [&](ThemeName name) {
     if (!playing) settings.setValue(ThemeKey, name == ThemeName::Light ? "light" : "dark");
+  });
+  if (!playing) window.setSize(settings.value(SizeKey, UsualSize).toInt());
+  QObject::connect(&window, &MainWindow::sizeChosen, [&](int percent) {
+    if (!playing) settings.setValue(SizeKey, percent);
   });
   if (!playing) window.setRecent(settings.value(RecentKey).toStringList());
   QObject::connect(&window, &MainWindow::recentChanged, [&](const QStringList& paths) {
@@ -140,6 +153,7 @@ int main(int argc, char** argv) {
         "line program pneuma.\n",
         ExitCode::NoRendering);
   }
+  if (!arguments.contains(QStringLiteral("--play"))) takeSize(chosenSize());
   const auto application = makeApplication(argc, argv);
   if (!line.parser.parse(QCoreApplication::arguments())) {
     return say(stderr, "pneuma-desktop: " + line.parser.errorText().toStdString() + "\n",

@@ -1,10 +1,13 @@
 #include "widgets/theme.h"
 
 #include <QApplication>
+#include <QSignalSpy>
 #include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
+
+#include "widgets/size_menu.h"
 
 namespace pneuma {
 namespace {
@@ -39,6 +42,42 @@ TEST_P(ThemeTest, EveryTextCanBeReadOnItsGround) {
   EXPECT_GE(contrast(theme.look, theme.panel), 4.5);
   EXPECT_GE(contrast(theme.onAccent, theme.accent), 4.5);
   EXPECT_GE(contrast(theme.onAccent, theme.accentHover), 4.5);
+}
+
+TEST(Size, IsTakenAtTheStartWithinWhatTheMenuOffers) {
+  constexpr const char* Variable = "QT_SCALE_FACTOR";
+  const QByteArray before = qgetenv(Variable);
+  const auto taken = [&](int percent) {
+    qunsetenv(Variable);
+    takeSize(percent);
+    return qgetenv(Variable).toDouble();
+  };
+  EXPECT_EQ(taken(150), 1.5);
+  EXPECT_EQ(taken(5), 0.8);
+  EXPECT_EQ(taken(900), 2.0);
+  EXPECT_EQ(taken(100), 0.0) << "nothing is asked of Qt";
+  qputenv(Variable, "1.25");
+  takeSize(200);
+  EXPECT_EQ(qgetenv(Variable), "1.25") << "the environment knows better";
+  before.isEmpty() ? qunsetenv(Variable) : qputenv(Variable, before);
+}
+
+TEST(Size, MenuMarksTheNearestAndTellsWhatIsChosen) {
+  SizeMenu menu(nullptr);
+  QSignalSpy chosen(&menu, &SizeMenu::chosen);
+  const auto marked = [&] {
+    for (const QAction* size : menu.actions()) {
+      if (size->isChecked()) return size->data().toInt();
+    }
+    return 0;
+  };
+  EXPECT_EQ(marked(), 100);
+  menu.setPercent(160);
+  EXPECT_EQ(marked(), 150);
+  EXPECT_EQ(chosen.count(), 0);
+  menu.actions().last()->trigger();
+  ASSERT_EQ(chosen.count(), 1);
+  EXPECT_EQ(chosen.at(0).at(0).toInt(), 200);
 }
 
 INSTANTIATE_TEST_SUITE_P(Both, ThemeTest, ::testing::Values(ThemeName::Dark, ThemeName::Light),

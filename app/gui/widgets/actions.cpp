@@ -7,6 +7,7 @@
 #include "document/text.h"
 #include "pipeline/organs.h"
 #include "widgets/icons.h"
+#include "widgets/size_menu.h"
 #include "widgets/stereo_menu.h"
 
 namespace pneuma {
@@ -120,6 +121,7 @@ Actions makeActions(QWidget* window) {
   a.slices = makeSliceActions(window);
   a.theme = action(window, "actionTheme", tr("&Light theme"), {});
   a.theme->setCheckable(true);
+  a.size = new SizeMenu(window);
   a.keys = action(window, "actionKeys", tr("&Keys"), {keys("?")});
   a.about = action(window, "actionAbout", tr("&About Pneuma"));
   return a;
@@ -161,6 +163,7 @@ void fillMenus(QMenuBar& bar, const Actions& a) {
   view->addAction(a.resetView);
   view->addMenu(a.stereo);
   view->addActions({a.playBreath, a.onionSkin, a.theme});
+  view->addMenu(a.size);
   fillSliceMenu(*bar.addMenu(QObject::tr("&Slices")), a.slices);
   QMenu* help = bar.addMenu(QObject::tr("&Help"));
   help->addActions({a.keys, a.about});

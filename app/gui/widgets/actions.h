@@ -11,6 +11,7 @@ class QMenuBar;
 
 namespace pneuma {
 
+class SizeMenu;
 class StereoMenu;
 
 /// The six named views, by letter.
@@ -64,6 +65,7 @@ struct Actions {
   StereoMenu* stereo = nullptr;
   SliceActions slices;
   QAction* theme = nullptr;
+  SizeMenu* size = nullptr;
   QAction* keys = nullptr;
   QAction* about = nullptr;
 

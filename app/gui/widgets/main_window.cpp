@@ -24,6 +24,7 @@
 #include "widgets/lungs_panel.h"
 #include "widgets/open_panel.h"
 #include "widgets/scene_view.h"
+#include "widgets/size_menu.h"
 #include "widgets/slice_bar.h"
 #include "widgets/slice_view.h"
 #include "widgets/status_strip.h"
@@ -42,6 +43,8 @@ std::filesystem::path pathOf(const QString& name) { return name.toStdString(); }
 constexpr ViewDirection FirstView{-10.0, 6.0};
 
 }  // namespace
+
+void MainWindow::setSize(int percent) { actions_.size->setPercent(percent); }
 
 void MainWindow::setTheme(ThemeName name) {
   applyTheme(*qApp, name);
@@ -99,6 +102,10 @@ void MainWindow::connectActions() {
     const ThemeName name = light ? ThemeName::Light : ThemeName::Dark;
     setTheme(name);
     emit themeChosen(name);
+  });
+  connect(actions_.size, &SizeMenu::chosen, this, [this](int percent) {
+    emit sizeChosen(percent);
+    status_->say(tr("%1 %: from the next start on").arg(percent));
   });
   for (std::size_t i = 0; i < ViewLetters.size(); ++i) {
     connect(actions_.views[i], &QAction::triggered, this,

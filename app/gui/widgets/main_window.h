@@ -72,6 +72,9 @@ class MainWindow : public QMainWindow {
   /// A project replaces everything: if work would be lost, asks first.
   void open(std::vector<std::filesystem::path> paths);
 
+  /// Tells the menu what size was taken at the start (takeSize()).
+  void setSize(int percent);
+
   /// Offers projects to be opened again, the latest first.
   void setRecent(const QStringList& paths);
 
@@ -79,6 +82,7 @@ class MainWindow : public QMainWindow {
 
  signals:
   void themeChosen(pneuma::ThemeName name);
+  void sizeChosen(int percent);
 
   /// Other projects are offered now.
   void recentChanged(const QStringList& paths);
