@@ -2,6 +2,7 @@
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "cli/arguments.h"
 #include "cli/command.h"
@@ -29,6 +30,7 @@ struct ExportArguments {
   std::vector<fs::path> inputs;
   std::vector<std::string> only;
   std::optional<ExportPreset> preset;
+  std::string as;  ///< the format of a preset; empty: the usual one
   Format format = Format::Vtp;
   LengthUnit fromUnits = LengthUnit::Mm;
   LengthUnit units = LengthUnit::Mm;
@@ -250,7 +252,7 @@ ExitCode runPreset(const ExportArguments& arguments, const CommonOptions& common
   requirePresetAlone(arguments);
   requireFolderOutput(common.output);
   const Project project = openCase(arguments.inputs, progress.part(0.0, 0.5, "reading"));
-  const std::vector<fs::path> files = presetOutputs(*arguments.preset, project.state);
+  const std::vector<fs::path> files = presetOutputs(*arguments.preset, project.state, arguments.as);
   for (const fs::path& file : files) {
     std::error_code error;
     if (fs::exists(common.output / file, error)) {
@@ -259,7 +261,7 @@ ExitCode runPreset(const ExportArguments& arguments, const CommonOptions& common
     }
   }
   writePreset(common.output, *arguments.preset, project.state, common.existing(),
-              progress.part(0.5, 1.0, "exporting"));
+              progress.part(0.5, 1.0, "exporting"), {}, arguments.as);
   if (common.quiet) return ExitCode::Done;
   printWarnings(project.notes);
   for (const fs::path& file : files) std::cout << (common.output / file).string() << "\n";
@@ -269,6 +271,7 @@ ExitCode runPreset(const ExportArguments& arguments, const CommonOptions& common
 ExitCode runExport(const ExportArguments& arguments, const CommonOptions& common,
                    const Progress& progress) {
   if (arguments.preset) return runPreset(arguments, common, progress);
+  if (!arguments.as.empty()) throw InvalidOption("--as goes with --preset; else it is --format");
   const std::vector<Lobe> only = parsedLobes(arguments.only);
   const std::vector<Job> all =
       jobs(arguments, only, common.output, progress.part(0.0, 0.5, "reading"));
@@ -310,8 +313,14 @@ Run declareExport(CLI::App& app, CommonOptions& common) {
          "--preset", [arguments](const std::string& text) { arguments->preset = presetOf(text); },
          "What it is for: paraview (VTP with a .vtm for all of it, the breath as .pvd), print (STL "
          "of every lobe, mm), segmentation (labels with lobes as NIfTI), tree (VTP, SWC, CSV and "
-         "JSON). OUT is a folder, written whole or not at all.")
+         "JSON), recipe (what was done, for 'pneuma run'). OUT is a folder, written whole or not "
+         "at "
+         "all.")
       ->type_name(choiceType(choices(ExportPreset{})));
+  app.add_option("--as", arguments->as,
+                 "Format of a preset's files, in place of the usual one: of print stl, obj, ply or "
+                 "vtp; of segmentation nii.gz, nrrd or mha.")
+      ->type_name("FORMAT");
   addFields(app, *arguments);
   return [arguments, &common](const Progress& progress) {
     return runExport(*arguments, common, progress);

@@ -24,8 +24,10 @@ namespace fs = std::filesystem;
 
 constexpr const char* TogetherFile = "case.vtm";
 constexpr const char* BreathFile = "breath.pvd";
-constexpr const char* LabelFile = "labels.nii.gz";
+constexpr const char* LabelStem = "labels";
 constexpr std::array<const char*, 4> TreeFiles = {"tree.vtp", "tree.swc", "tree.csv", "tree.json"};
+constexpr std::array<std::string_view, 4> SurfaceFormats = {"stl", "obj", "ply", "vtp"};
+constexpr std::array<std::string_view, 3> LabelFormats = {"nii.gz", "nrrd", "mha"};
 constexpr double VoxelMm = 1.0;  ///< of labels where there is no image
 
 bool hasSurfaces(const LungModel& model) { return model.surfaces && !model.surfaces->empty(); }
@@ -89,10 +91,33 @@ void writeForParaview(const fs::path& folder, const ProjectState& state, const M
   writeBreath(folder / BreathFile, lungs, report, progress.part(0.6, 1.0, "writing"));
 }
 
-void writeForPrinting(const fs::path& folder, const LungModel& model, const Progress& progress) {
+/// The format that is asked for, or the usual one.
+std::string takenFormat(ExportPreset preset, std::string_view format) {
+  const auto formats = formatsOf(preset);
+  if (format.empty()) return formats.empty() ? std::string() : std::string(formats.front());
+  if (std::ranges::find(formats, format) != formats.end()) return std::string(format);
+  if (formats.empty()) {
+    throw InvalidOption("--preset " + textOf(preset) + " decides its formats; leave out --as");
+  }
+  std::string known;
+  for (const std::string_view one : formats) {
+    known += (known.empty() ? "" : one == formats.back() ? " or " : ", ") + std::string(one);
+  }
+  throw InvalidOption("--preset " + textOf(preset) + " is written as " + known + ", not as '" +
+                      std::string(format) + "'");
+}
+
+fs::path surfaceFile(const LobeSurface& surface, const std::string& format) {
+  return lobeFile(surface.lobe).replace_extension("." + format);
+}
+
+fs::path labelFile(const std::string& format) { return LabelStem + ("." + format); }
+
+void writeForPrinting(const fs::path& folder, const LungModel& model, const std::string& format,
+                      const Progress& progress) {
   for (const LobeSurface& surface : *model.surfaces) {
     progress.throwIfStopped();
-    writeSurface(folder / lobeFile(surface.lobe).replace_extension(".stl"), *surface.mesh);
+    writeSurface(folder / surfaceFile(surface, format), *surface.mesh);
   }
 }
 
@@ -150,7 +175,15 @@ ExportLack lackOf(ExportPreset preset, const ProjectState& state) {
   return tree ? ExportLack::Nothing : ExportLack::Tree;
 }
 
-std::vector<fs::path> presetOutputs(ExportPreset preset, const ProjectState& state) {
+std::span<const std::string_view> formatsOf(ExportPreset preset) {
+  if (preset == ExportPreset::Print) return SurfaceFormats;
+  if (preset == ExportPreset::Segmentation) return LabelFormats;
+  return {};
+}
+
+std::vector<fs::path> presetOutputs(ExportPreset preset, const ProjectState& state,
+                                    std::string_view format) {
+  const std::string taken = takenFormat(preset, format);
   if (lackOf(preset, state) != ExportLack::Nothing) return {};
   std::vector<fs::path> files;
   switch (preset) {
@@ -165,11 +198,11 @@ std::vector<fs::path> presetOutputs(ExportPreset preset, const ProjectState& sta
       return files;
     case ExportPreset::Print:
       for (const LobeSurface& surface : *state.model.surfaces) {
-        files.push_back(lobeFile(surface.lobe).replace_extension(".stl"));
+        files.push_back(surfaceFile(surface, taken));
       }
       return files;
     case ExportPreset::Segmentation:
-      return {LabelFile};
+      return {labelFile(taken)};
     case ExportPreset::Recipe:
       return recipeFiles(state);
     case ExportPreset::Tree:
@@ -179,7 +212,9 @@ std::vector<fs::path> presetOutputs(ExportPreset preset, const ProjectState& sta
 }
 
 void writePreset(const fs::path& folder, ExportPreset preset, const ProjectState& state,
-                 Existing existing, const Progress& progress, const MadeBreath& breath) {
+                 Existing existing, const Progress& progress, const MadeBreath& breath,
+                 std::string_view format) {
+  const std::string taken = takenFormat(preset, format);
   const ExportLack lack = lackOf(preset, state);
   if (lack != ExportLack::Nothing) throwLack(preset, lack);
   StagedFolder staged(folder);
@@ -188,10 +223,10 @@ void writePreset(const fs::path& folder, ExportPreset preset, const ProjectState
       writeForParaview(staged.path(), state, breath, progress);
       break;
     case ExportPreset::Print:
-      writeForPrinting(staged.path(), state.model, progress);
+      writeForPrinting(staged.path(), state.model, taken, progress);
       break;
     case ExportPreset::Segmentation:
-      writeVolume(staged.path() / LabelFile,
+      writeVolume(staged.path() / labelFile(taken),
                   labelsOf(state.model, progress.part(0.0, 0.8, "labelling")), Existing::Replace,
                   progress.part(0.8, 1.0, "writing"));
       break;

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -29,8 +30,14 @@ enum class ExportLack { Nothing, Anything, Surfaces, Labels, Tree, FoundLungs };
 
 ExportLack lackOf(ExportPreset preset, const ProjectState& state);
 
+/// The extensions that a preset's files can have, the usual one first: of print "stl", "obj", "ply"
+/// and "vtp", of segmentation "nii.gz", "nrrd" and "mha". Empty where there is no choice.
+std::span<const std::string_view> formatsOf(ExportPreset preset);
+
 /// The files that writePreset() writes, relative to the folder.
-std::vector<std::filesystem::path> presetOutputs(ExportPreset preset, const ProjectState& state);
+/// @throws InvalidOption if the format is none of formatsOf()
+std::vector<std::filesystem::path> presetOutputs(ExportPreset preset, const ProjectState& state,
+                                                 std::string_view format = {});
 
 /// A breath that was made with the state's options already.
 struct MadeBreath {
@@ -42,8 +49,10 @@ struct MadeBreath {
 /// and its files go nowhere, but for the path of the CT in a recipe.
 /// @throws InvalidInput if the case has nothing that the preset takes; OutputFailed; as breathe();
 /// Cancelled
+/// @param format one of formatsOf(); empty: the usual one
+/// @throws InvalidOption for another format
 void writePreset(const std::filesystem::path& folder, ExportPreset preset,
                  const ProjectState& state, Existing existing, const Progress& progress = {},
-                 const MadeBreath& breath = {});
+                 const MadeBreath& breath = {}, std::string_view format = {});
 
 }  // namespace pneuma

@@ -62,7 +62,15 @@ expect "the collection names a file that is not there" \
 succeeds "for a printer" export case.pneuma --preset print -o print -q
 expect "not five surfaces" test "$(ls print | tr '\n' ' ')" = "lll.stl lul.stl rll.stl rml.stl rul.stl "
 expect "other surfaces" cmp print/rul.stl parts/rul.stl
+succeeds "for another printer" export case.pneuma --preset print --as ply -o plies -q
+expect "no plies/rul.ply" test -s plies/rul.ply
+expect "both formats" test ! -e plies/rul.stl
+succeeds "as labels of MetaImage" export case.pneuma --preset segmentation --as mha -o metas -q
+refuses "labels as shapes" 2 "written as nii.gz, nrrd or mha, not as 'stl'" export case.pneuma --preset segmentation --as stl -o other
+refuses "a tree in one format" 2 'leave out --as' export case.pneuma --preset tree --as swc -o other
+refuses "a format without a preset" 2 'goes with --preset' export case.pneuma --as ply -o other
 succeeds "as labels" export case.pneuma --preset segmentation -o labels -q
+succeeds "the same voxels in both" compare metas/labels.mha labels/labels.nii.gz --min-dice 1
 succeeds "labels have lobes" compare labels/labels.nii.gz labels/labels.nii.gz
 prints "^RML +[1-9]"
 succeeds "as a tree" export case.pneuma --preset tree -o tree4 -q

@@ -27,7 +27,7 @@ copied() {
 }
 
 "$PNEUMA" sample "$FOLDER/chest" --format vtp --cell 4 -q || fail "no sample"
-mkdir -p "$FOLDER/window/paraview" "$FOLDER/window/print" "$FOLDER/window/tree"
+mkdir -p "$FOLDER/window/objs" "$FOLDER/window/paraview" "$FOLDER/window/print" "$FOLDER/window/tree"
 echo "from before" >"$FOLDER/window/print/rul.stl"
 "$DESKTOP" --play "$here/export.json" --screenshots "$OUT" || fail "the window"
 
@@ -41,6 +41,11 @@ grep -rq "$FOLDER\|central.vtp" "$FOLDER/window/paraview/breath.json" && fail "a
 for preset in paraview print tree; do
   copied $preset
   diff -r -I peak_memory_mb "$FOLDER/window/$preset" $preset || fail "$preset differs"
+done
+copied objs
+grep -q -- '--as obj' "$OUT/objs.txt" || fail "the copied command has another format"
+for lobe in rul rml rll lul lll; do
+  cmp "$FOLDER/window/objs/$lobe.obj" print/$lobe.obj || fail "the shapes differ"
 done
 copied report
 cmp "$FOLDER/window/report.pdf" report.pdf || fail "the report differs"

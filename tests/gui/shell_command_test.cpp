@@ -82,6 +82,10 @@ TEST_F(ShellCommandTest, ASampleIsMadeFirst) {
   EXPECT_EQ(text(WorkStep::Airways),
             sample + "\npneuma grow chest --central chest/central.vtp -o tree.vtp");
   EXPECT_EQ(text(WorkStep::Breathing), sample + "\npneuma breathe chest -o breath.pvd");
+  EXPECT_NE(text(WorkStep::Export, {ExportKind::Print, false, {}, "ply"}).find("--as ply"),
+            std::string::npos);
+  EXPECT_EQ(text(WorkStep::Export, {ExportKind::Print, false, {}, "stl"}),
+            text(WorkStep::Export, {ExportKind::Print, false, {}}));
   EXPECT_EQ(text(WorkStep::Export, {ExportKind::Print, false, {}}),
             sample + "\npneuma export chest --preset print -o print");
   EXPECT_NE(obstacle(WorkStep::Lungs), "");

@@ -176,11 +176,14 @@ class Document : public QObject {
 
   /// Writes what a preset makes of the case into a folder, as `pneuma export --preset` does: all of
   /// it or nothing. Files that are there are replaced: ask before.
-  void exportCase(ExportPreset preset, const std::filesystem::path& folder);
+  /// @param format one of formatsOf(); empty: the usual one
+  void exportCase(ExportPreset preset, const std::filesystem::path& folder,
+                  const std::string& format = {});
 
   /// Those files of a preset that are in a folder already.
   std::vector<std::filesystem::path> filesInTheWay(ExportPreset preset,
-                                                   const std::filesystem::path& folder) const;
+                                                   const std::filesystem::path& folder,
+                                                   const std::string& format = {}) const;
 
   /// Writes the report of the case as PDF, HTML or JSON by the extension, as `pneuma report` does.
   void saveReport(const std::filesystem::path& path, const CaseReportOptions& options);

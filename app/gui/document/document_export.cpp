@@ -11,24 +11,26 @@
 // Writing what other programs and people read.
 namespace pneuma {
 
-std::vector<std::filesystem::path> Document::filesInTheWay(
-    ExportPreset preset, const std::filesystem::path& folder) const {
+std::vector<std::filesystem::path> Document::filesInTheWay(ExportPreset preset,
+                                                           const std::filesystem::path& folder,
+                                                           const std::string& format) const {
   std::vector<std::filesystem::path> there;
-  for (const auto& file : presetOutputs(preset, stateOf(snapshot_))) {
+  for (const auto& file : presetOutputs(preset, stateOf(snapshot_), format)) {
     std::error_code ignored;
     if (std::filesystem::exists(folder / file, ignored)) there.push_back(file);
   }
   return there;
 }
 
-void Document::exportCase(ExportPreset preset, const std::filesystem::path& folder) {
+void Document::exportCase(ExportPreset preset, const std::filesystem::path& folder,
+                          const std::string& format) {
   touched_ = {folder};
-  jobs_.push(tr("Exporting"), [this, preset, folder, state = stateOf(snapshot_),
+  jobs_.push(tr("Exporting"), [this, preset, folder, format, state = stateOf(snapshot_),
                                breath = snapshot_.breath](const Progress& progress) {
     MadeBreath made;
     if (breath) made = {&breath->lungs, &breath->report};
-    writePreset(folder, preset, state, Existing::Replace, progress, made);
-    const std::size_t files = presetOutputs(preset, state).size();
+    writePreset(folder, preset, state, Existing::Replace, progress, made, format);
+    const std::size_t files = presetOutputs(preset, state, format).size();
     return JobQueue::Continuation([this, preset, folder, files, shown = treeOf(state.model)] {
       if (preset == ExportPreset::Tree) {
         saved_ = shown;

@@ -326,6 +326,9 @@ ShellCommand exportCommand(const Document& document, const ExportWish& wish) {
   line.files(files);
   if (const auto preset = presetOf(wish.kind)) {
     line.option("preset", textOf(*preset));
+    if (!wish.format.empty() && wish.format != formatsOf(*preset).front()) {
+      line.option("as", wish.format);
+    }
     return {source.lines << line.output(row.name), {}};
   }
   if (wish.kind == ExportKind::Figure) {

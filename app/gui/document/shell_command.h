@@ -2,6 +2,7 @@
 
 #include <QString>
 #include <QStringList>
+#include <string>
 #include <string_view>
 
 #include "document/export_list.h"
@@ -19,6 +20,7 @@ struct ExportWish {
   ExportKind kind = ExportKind::Paraview;
   bool identify = false;  ///< the report
   ViewDirection view{};   ///< of the figure
+  std::string format{};   ///< of a preset; empty: the usual one
 };
 
 /// What a person types to have the same from the command line.

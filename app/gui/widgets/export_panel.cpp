@@ -2,6 +2,7 @@
 
 #include <QButtonGroup>
 #include <QCheckBox>
+#include <QComboBox>
 #include <QFrame>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -11,6 +12,7 @@
 #include <QVariant>
 
 #include "document/document.h"
+#include "document/text.h"
 #include "widgets/action_button.h"
 #include "widgets/actions.h"
 #include "widgets/heading.h"
@@ -53,6 +55,11 @@ ExportPanel::ExportPanel(Document& document, const Actions& actions, QWidget* pa
   column->setSpacing(4);
   column->addWidget(heading(tr("Export for")));
   column->addWidget(makeKinds());
+  presetFormat_ = new QComboBox;
+  presetFormat_->setObjectName(QStringLiteral("presetFormat"));
+  presetFormat_->setAccessibleName(tr("Format of the files"));
+  presetFormat_->setToolTip(tr("Format of the files"));
+  column->addWidget(presetFormat_);
   identify_ = new QCheckBox(tr("Name the case and its files"));
   identify_->setObjectName(QStringLiteral("identify"));
   identify_->setToolTip(tr("The report tells whose lungs they are; without it, hashes alone"));
@@ -76,11 +83,15 @@ ExportPanel::ExportPanel(Document& document, const Actions& actions, QWidget* pa
 
   connect(kinds_, &QButtonGroup::idClicked, this, [this] {
     identify_->setVisible(kind() == ExportKind::Report);
+    offerFormats();
     emit kindChanged();
   });
   connect(&document_, &Document::changed, this, &ExportPanel::follow);
   connect(formats_, &QButtonGroup::idClicked, this, &ExportPanel::showKeeps);
+  connect(presetFormat_, QOverload<int>::of(&QComboBox::activated), this,
+          &ExportPanel::kindChanged);
   identify_->hide();
+  offerFormats();
   follow();
   showKeeps();
 }
@@ -102,6 +113,17 @@ QWidget* ExportPanel::makeKinds() {
     column->addWidget(notes_[i]);
   }
   return list;
+}
+
+void ExportPanel::offerFormats() {
+  presetFormat_->clear();
+  if (const auto preset = presetOf(kind())) {
+    for (const std::string_view format : formatsOf(*preset)) {
+      const QString name = qtText(format);
+      presetFormat_->addItem(name == QLatin1String("nii.gz") ? tr("NIfTI") : name.toUpper(), name);
+    }
+  }
+  presetFormat_->setVisible(presetFormat_->count() > 0);
 }
 
 QWidget* ExportPanel::makeFormats() {
@@ -142,6 +164,8 @@ void ExportPanel::showKeeps() {
 ExportKind ExportPanel::kind() const { return static_cast<ExportKind>(kinds_->checkedId()); }
 
 bool ExportPanel::identify() const { return identify_->isChecked(); }
+
+QString ExportPanel::presetFormat() const { return presetFormat_->currentData().toString(); }
 
 QString ExportPanel::format() const {
   return QString::fromUtf8(Formats[static_cast<std::size_t>(formats_->checkedId())].extension);

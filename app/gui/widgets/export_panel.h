@@ -7,6 +7,7 @@
 
 class QButtonGroup;
 class QCheckBox;
+class QComboBox;
 class QLabel;
 
 namespace pneuma {
@@ -31,6 +32,9 @@ class ExportPanel : public QWidget {
   /// True if the report may name the case and its files.
   bool identify() const;
 
+  /// Of the preset that is chosen; empty where it has no choice.
+  QString presetFormat() const;
+
   /// Of the tree alone: "vtp", "swc", "csv" or "json"
   QString format() const;
 
@@ -39,6 +43,7 @@ class ExportPanel : public QWidget {
 
  private:
   void follow();
+  void offerFormats();
   void showKeeps();
   QWidget* makeKinds();
   QWidget* makeFormats();
@@ -47,6 +52,7 @@ class ExportPanel : public QWidget {
   std::vector<ExportRow> rows_;
   QButtonGroup* kinds_;
   std::array<QLabel*, ExportKinds> notes_{};
+  QComboBox* presetFormat_;
   QCheckBox* identify_;
   QButtonGroup* formats_;
   QLabel* keeps_;

@@ -29,8 +29,11 @@ void MainWindow::exportCase() {
   if (const auto preset = presetOf(exportPanel_->kind())) {
     askForExportFolder(this, [this, kind = *preset](const QString& name) {
       const std::filesystem::path folder = name.toStdString();
-      const auto write = [this, kind, folder] { document_.exportCase(kind, folder); };
-      const auto there = document_.filesInTheWay(kind, folder);
+      const std::string format = exportPanel_->presetFormat().toStdString();
+      const auto write = [this, kind, folder, format] {
+        document_.exportCase(kind, folder, format);
+      };
+      const auto there = document_.filesInTheWay(kind, folder, format);
       if (there.empty()) {
         write();
         return;
@@ -57,6 +60,7 @@ ShellCommand MainWindow::commandNow() const {
   wish.kind = exportPanel_->kind();
   wish.identify = exportPanel_->identify();
   wish.view = view_->lookingFrom();
+  wish.format = exportPanel_->presetFormat().toStdString();
   return shellCommand(static_cast<WorkStep>(panels_->currentIndex()), document_, wish);
 }
 
