@@ -12,6 +12,7 @@
 #include "io/tree_file.h"
 #include "io/volume_file.h"
 #include "pipeline/ct_model.h"
+#include "pipeline/lung_edits_file.h"
 #include "pipeline/report.h"
 #include "pipeline/segment_report.h"
 
@@ -24,6 +25,7 @@ struct SegmentArguments {
   CtCorrections corrections;
   LungOptions lungs;
   SurfaceOptions surfaceOptions;
+  std::filesystem::path edits;     ///< may be empty
   std::filesystem::path surfaces;  ///< folder; may be empty
   std::filesystem::path central;   ///< may be empty
   std::filesystem::path report;    ///< may be empty
@@ -40,6 +42,7 @@ void requireUsable(const SegmentArguments& arguments, const CommonOptions& commo
   if (!arguments.report.empty()) requireOutput(arguments.report, common.existing());
   for (const auto& output : {common.output, arguments.central, arguments.report}) {
     requireOtherThanInputs(output, {&arguments.input, 1});
+    if (!arguments.edits.empty()) requireOtherThanInputs(output, {&arguments.edits, 1});
   }
   if (arguments.surfaces.empty()) return;
   requireFolderOutput(arguments.surfaces);
@@ -82,22 +85,28 @@ void writeAll(const SegmentArguments& arguments, const CommonOptions& common,
 ExitCode runSegment(const SegmentArguments& arguments, const CommonOptions& common,
                     const Progress& progress) {
   requireUsable(arguments, common);
+  std::vector<LungEdit> edits;
+  if (!arguments.edits.empty()) edits = readLungEdits(arguments.edits);
   const auto start = std::chrono::steady_clock::now();
   CtFile file = readCt(arguments.input, arguments.corrections, progress.part(0.0, 0.15, "reading"),
                        arguments.series);
   std::vector<InputFile> inputs;
   if (common.json || !arguments.report.empty()) {
     inputs.push_back(ctInput(arguments.input, file, progress.part(0.15, 0.2, "hashing")));
+    if (!arguments.edits.empty()) inputs.push_back(inputFile(arguments.edits));
   }
+  requireWithin(edits, file.image.geometry, arguments.edits);
   LungModel model = modelOf(
       std::move(file), {arguments.input, arguments.corrections, arguments.series.wanted, 0, {}});
   model.inputs = std::move(inputs);
   const double readSeconds = secondsSince(start);
-  model = arguments.surfaces.empty()
-              ? withLungs(model, arguments.lungs, progress.part(0.2, 0.9, "finding the lungs"))
-              : withSurfaces(
-                    withLungs(model, arguments.lungs, progress.part(0.2, 0.8, "finding the lungs")),
-                    arguments.surfaceOptions, progress.part(0.8, 0.9, "drawing surfaces"));
+  model = withLungs(model, arguments.lungs, progress.part(0.2, 0.7, "finding the lungs"));
+  model = withLungEdits(model, edits, arguments.edits, arguments.lungs.thresholdHu,
+                        progress.part(0.7, 0.8, "correcting the lungs"));
+  if (!arguments.surfaces.empty()) {
+    model =
+        withSurfaces(model, arguments.surfaceOptions, progress.part(0.8, 0.9, "drawing surfaces"));
+  }
   Json report =
       segmentReport(model, arguments.lungs, readSeconds, secondsSince(start) - readSeconds);
   if (!arguments.central.empty() && !model.central) {
@@ -132,6 +141,10 @@ Run declareSegment(CLI::App& app, CommonOptions& common) {
       ->type_name("FOLDER");
   app.add_option("--central", arguments->central,
                  "Write the airways here, .vtp, .swc, .csv or .json: the --central of grow.")
+      ->type_name("FILE");
+  app.add_option("--edits", arguments->edits,
+                 "Correct the lungs by these strokes and seeds, JSON as the window saves it "
+                 "(docs/lung-edits.md).")
       ->type_name("FILE");
   app.add_option("--report", arguments->report, "Write the JSON report here.")->type_name("FILE");
   app.add_option("--series", arguments->series.wanted,

@@ -74,6 +74,15 @@ Vec3 pointOf(const QJsonValue& value) {
   return {point[0].toDouble(), point[1].toDouble(), point[2].toDouble()};
 }
 
+/// The pointer is in one slice alone.
+void leaveOthers(const MainWindow& window, const SliceView& here) {
+  for (SliceView* view : window.findChildren<SliceView*>()) {
+    if (view == &here) continue;
+    QEvent leave(QEvent::Leave);
+    QApplication::sendEvent(view, &leave);
+  }
+}
+
 void pointAt(QWidget& target, const QPoint& at) {
   QMouseEvent move(QEvent::MouseMove, at, target.mapToGlobal(at), Qt::NoButton, Qt::NoButton,
                    Qt::NoModifier);
@@ -268,6 +277,7 @@ void ScriptPlayer::clickPoint(const QJsonObject& step) const {
   auto* view = qobject_cast<SliceView*>(widget(step[QStringLiteral("name")].toString()));
   if (view == nullptr || window_.slices().empty()) fail(QStringLiteral("there is no slice"));
   const QPoint at = view->positionOf(pointOf(step[QStringLiteral("point")]));
+  leaveOthers(window_, *view);
   pointAt(*view, at);
   clickAt(*view, at);
 }
@@ -275,6 +285,7 @@ void ScriptPlayer::clickPoint(const QJsonObject& step) const {
 void ScriptPlayer::dragPoint(const QJsonObject& step) const {
   auto* view = qobject_cast<SliceView*>(widget(step[QStringLiteral("name")].toString()));
   if (view == nullptr || window_.slices().empty()) fail(QStringLiteral("there is no slice"));
+  leaveOthers(window_, *view);
   dragTo(*view, view->positionOf(pointOf(step[QStringLiteral("from")])),
          view->positionOf(pointOf(step[QStringLiteral("to")])));
 }
@@ -333,6 +344,10 @@ QVariant ScriptPlayer::observed(const QJsonObject& step) const {
   if (state == QLatin1String("lungs")) {
     const auto& lungs = document.model().lungs;
     return lungs ? lungs->right.volumeMl + lungs->left.volumeMl : 0.0;
+  }
+  if (state == QLatin1String("lungEdits")) {
+    const auto& corrections = document.model().corrections;
+    return static_cast<int>(corrections ? corrections->edits.size() : 0);
   }
   if (state == QLatin1String("surfaces")) {
     const auto& surfaces = document.model().surfaces;

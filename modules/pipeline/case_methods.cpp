@@ -53,7 +53,11 @@ void sayLungs(const LungModel& model, Text& text) {
           fixed(spacing.z(), 2) + " mm)";
   }
   text.say("Lungs, trachea and central bronchi were found in " + of +
-           " by thresholds, connected regions and morphological closing, without manual input.");
+           " by thresholds, connected regions and morphological closing" +
+           (model.corrections ? "; the lungs were then corrected by hand (" +
+                                    std::to_string(model.corrections->edits.size()) +
+                                    (model.corrections->edits.size() == 1 ? " edit)." : " edits).")
+                              : std::string(", without manual input.")));
 }
 
 void sayLobes(const ProjectState& state, Text& text) {

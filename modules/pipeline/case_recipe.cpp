@@ -7,6 +7,8 @@
 #include "io/surface_file.h"
 #include "pipeline/detail/run_folder.h"
 #include "pipeline/lobe_shares.h"
+#include "pipeline/lung_corrections.h"
+#include "pipeline/lung_edits_file.h"
 
 namespace pneuma {
 namespace {
@@ -15,6 +17,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* RecipeFile = "recipe.json";
 constexpr const char* FissuresFile = "fissures.json";
+constexpr const char* LungEditsFile = "lung-edits.json";
 
 fs::path patchFileOf(Fissure fissure) { return std::string(shortName(fissure)) + ".vtp"; }
 
@@ -35,6 +38,8 @@ CaseRecipe recipeOf(const ProjectState& state) {
   recipe.series.wanted = model.ctSource->series;
   recipe.corrections = model.ctSource->corrections;
   recipe.lungs = state.lungOptions;
+  if (model.corrections) made.lungEdits = model.corrections->edits;
+  if (!made.lungEdits.empty()) recipe.lungEdits = LungEditsFile;
   recipe.split = model.lobes != nullptr;
   if (recipe.split) {
     recipe.lobes.options = state.splitEdits.options;
@@ -51,6 +56,7 @@ CaseRecipe recipeOf(const ProjectState& state) {
 std::vector<fs::path> recipeFiles(const ProjectState& state) {
   const CaseRecipe made = recipeOf(state);
   std::vector<fs::path> files = {RecipeFile};
+  if (!made.lungEdits.empty()) files.emplace_back(LungEditsFile);
   if (!made.fissures.empty()) files.emplace_back(FissuresFile);
   for (const auto& [fissure, given] : made.fissures) {
     if (given.patch) files.push_back(patchFileOf(fissure));
@@ -61,6 +67,7 @@ std::vector<fs::path> recipeFiles(const ProjectState& state) {
 void writeRecipe(const fs::path& folder, const ProjectState& state) {
   const CaseRecipe made = recipeOf(state);
   writeFile(folder / RecipeFile, textOf(toJson(made.recipe)));
+  if (!made.lungEdits.empty()) writeFile(folder / LungEditsFile, lungEditsText(made.lungEdits));
   if (!made.fissures.empty()) writeGivenFissures(folder / FissuresFile, made.fissures);
 }
 

@@ -7,13 +7,15 @@
 #include "io/fissure_file.h"
 #include "pipeline/project.h"
 #include "pipeline/recipe.h"
+#include "segmentation/lung_edits.h"
 
 namespace pneuma {
 
 /// What was done with a case, for `pneuma run` to do it again.
 struct CaseRecipe {
-  Recipe recipe;           ///< its fissures are in a file of their own
-  GivenFissures fissures;  ///< those that were set; the others are proposed again
+  Recipe recipe;                    ///< its fissures are in a file of their own
+  GivenFissures fissures;           ///< those that were set; the others are proposed again
+  std::vector<LungEdit> lungEdits;  ///< corrections of the lungs by hand, in a file too
 };
 
 /// Can a recipe say how this case was made? Only from a CT whose lungs were found, not read.
@@ -23,7 +25,8 @@ bool hasRecipe(const ProjectState& state);
 /// @throws InvalidInput where hasRecipe() is false
 CaseRecipe recipeOf(const ProjectState& state);
 
-/// The files that writeRecipe() writes: recipe.json, and fissures.json with the surfaces it names.
+/// The files that writeRecipe() writes: recipe.json, and fissures.json with the surfaces it names
+/// and lung-edits.json where there are such.
 std::vector<std::filesystem::path> recipeFiles(const ProjectState& state);
 
 /// Writes them. The path of the CT stands in recipe.json as it is, or it would not be found.

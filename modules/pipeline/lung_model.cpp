@@ -158,6 +158,7 @@ LungModel modelOfProject(std::span<const fs::path> paths, const Progress& progre
 void addLabels(LungModel& model, const fs::path& path, const Progress& progress) {
   model.labels = std::make_shared<const LabelImage>(readLabelVolume(path, progress));
   model.lungs = nullptr;
+  model.corrections = nullptr;
   requireSamePlace(model);
   model.inputs.push_back(inputFile(path));
 }

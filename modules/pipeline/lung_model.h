@@ -20,6 +20,7 @@
 namespace pneuma {
 
 struct LobesOfLungs;
+struct LungCorrections;
 
 /// A file that was read, for the record.
 struct InputFile {
@@ -64,6 +65,7 @@ struct LungModel {
   std::shared_ptr<const CtSource> ctSource;       ///< of the CT, also where it was not found again
   std::shared_ptr<const LabelImage> labels;       ///< lungs and airways in it; null until found
   std::shared_ptr<const LungSegmentation> lungs;  ///< how they were found; null if labels were read
+  std::shared_ptr<const LungCorrections> corrections;  ///< by hand, of labels and lungs; null: none
   std::shared_ptr<const std::vector<LobeSurface>> surfaces;  ///< null for a built-in organ
   std::shared_ptr<const std::vector<LobeSurface>>
       wholeLungs;                                          ///< what `surfaces` were before they

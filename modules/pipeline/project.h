@@ -12,6 +12,7 @@
 #include "io/member_archive.h"
 #include "pipeline/breathe.h"
 #include "pipeline/lobe_edits.h"
+#include "pipeline/lung_corrections.h"
 #include "pipeline/split_lobes.h"
 
 namespace pneuma {
@@ -21,6 +22,8 @@ struct ProjectState {
   std::string name;  ///< of the case, as it is shown: file names only, never folders
   LungModel model;
   LungOptions lungOptions;  ///< with which model.lungs were found
+  bool lungsFollow = true;  ///< surfaces and figures of the lungs are those of model.corrections.
+                            ///< Of moments to undo, labels that come by corrections are left out
   LobeEdits lobeEdits;      ///< for the next split
   LobeEdits splitEdits;     ///< with which model.lobes were made
   std::map<Fissure, FissureReview> reviews;

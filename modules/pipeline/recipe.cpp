@@ -119,8 +119,12 @@ class RecipeReader {
 
   void readLungs(const Json& options, Recipe& recipe) const {
     for (const auto& [key, value] : options.items()) {
+      if (key == "edits") {
+        recipe.lungEdits = besideRecipe(text(value, "edits"));
+        continue;
+      }
       if (set(recipe.lungs, key, value) || set(recipe.surfaces, key, value)) continue;
-      std::vector<std::string_view> names;
+      std::vector<std::string_view> names = {"edits"};
       addNames<LungOptions>(names);
       addNames<SurfaceOptions>(names);
       unknown(key, "key under \"lungs\":", names);
@@ -196,6 +200,7 @@ Json toJson(const Recipe& recipe) {
   json["open"].update(toJson(recipe.corrections));
   json["lungs"] = toJson(recipe.lungs);
   json["lungs"].update(toJson(recipe.surfaces));
+  if (!recipe.lungEdits.empty()) json["lungs"]["edits"] = recipe.lungEdits.string();
   if (recipe.split) {
     json["lobes"] = {{"snap", recipe.lobes.snap}};
     if (!recipe.lobes.fissures.empty()) {

@@ -41,6 +41,7 @@ struct Recipe {
   CtCorrections corrections;
   LungOptions lungs;
   SurfaceOptions surfaces;
+  std::filesystem::path lungEdits;  ///< corrections of the lungs by hand; empty: none
   LobesRecipe lobes;
   GrowthOptions growth = growthMethods().front().defaults;
   bool split = true;                 ///< into lobes; false: airways grow in whole lungs
@@ -49,7 +50,7 @@ struct Recipe {
 };
 
 /// Reads a recipe ("pneuma/recipe/1", resources/schemas/recipe.schema.json):
-/// {"schema": "pneuma/recipe/1", "open": {"ct": PATH, ...}, "lungs": {...},
+/// {"schema": "pneuma/recipe/1", "open": {"ct": PATH, ...}, "lungs": {"edits": PATH, ...},
 ///  "lobes": {"fissures": PATH, ...}, "airways": {"method": NAME, ...}, "export": {"tree": [...]}}.
 /// Paths are relative to the recipe.
 /// @throws InputMissing, InvalidInput (no JSON, another schema, an unknown stage or key, naming the

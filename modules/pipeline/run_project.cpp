@@ -8,6 +8,7 @@
 #include "pipeline/ct_model.h"
 #include "pipeline/detail/run_lobes.h"
 #include "pipeline/lobes_model.h"
+#include "pipeline/lung_edits_file.h"
 #include "pipeline/whole_lungs.h"
 
 namespace pneuma {
@@ -49,12 +50,15 @@ Project projectOfRecipe(const Recipe& recipe, Stage upTo, std::vector<StageResul
   if (!inputs.accessory.empty()) {
     throw Unsupported("a project has no accessory fissures; run the recipe into a folder");
   }
+  std::vector<LungEdit> edits;
+  if (!recipe.lungEdits.empty()) edits = readLungEdits(recipe.lungEdits);
   Project project;
   LungModel& model = project.state.model;
   doStage(Stage::Open, model, results, [&] {
     CtFile file = readCt(recipe.ct, recipe.corrections, progress.part(0.0, 0.1, "reading the CT"),
                          recipe.series);
     if (recipe.split && recipe.lobes.snap) requireThinSlices(file.image);
+    requireWithin(edits, file.image.geometry, recipe.lungEdits);
     LungModel opened =
         modelOf(std::move(file), {recipe.ct, recipe.corrections, recipe.series.wanted, 0, {}});
     project.state.name =
@@ -64,9 +68,12 @@ Project projectOfRecipe(const Recipe& recipe, Stage upTo, std::vector<StageResul
   if (upTo >= Stage::Lungs) {
     doStage(Stage::Lungs, model, results, [&] {
       project.state.lungOptions = project.next.lungs = recipe.lungs;
-      return untangled(
-          withSurfaces(withLungs(model, recipe.lungs, progress.part(0.1, 0.4, "finding the lungs")),
-                       recipe.surfaces, progress.part(0.4, 0.5, "drawing surfaces")));
+      return untangled(withSurfaces(
+          withLungEdits(
+              withLungs(model, recipe.lungs, progress.part(0.1, 0.35, "finding the lungs")), edits,
+              recipe.lungEdits, recipe.lungs.thresholdHu,
+              progress.part(0.35, 0.4, "correcting the lungs")),
+          recipe.surfaces, progress.part(0.4, 0.5, "drawing surfaces")));
     });
   }
   if (upTo >= Stage::Lobes && recipe.split) {

@@ -16,6 +16,7 @@
 #include "pipeline/detail/run_folder.h"
 #include "pipeline/detail/run_lobes.h"
 #include "pipeline/lobe_files.h"
+#include "pipeline/lung_edits_file.h"
 #include "pipeline/measure_report.h"
 #include "pipeline/report.h"
 #include "pipeline/segment_report.h"
@@ -32,6 +33,7 @@ class Runner {
 
   std::vector<StageResult> run(const Progress& progress) {
     inputs_ = ctInputFiles(recipe_.ct, recipe_.series, progress.part(0.0, 0.05, "reading headers"));
+    if (!recipe_.lungEdits.empty()) edits_ = readLungEdits(recipe_.lungEdits);
     if (splits()) lobes_ = lobeInputs(recipe_.lobes);
     if (!options_.dryRun) requireOutputs();
     std::vector<StageResult> results;
@@ -94,6 +96,7 @@ class Runner {
     openKey_ = sha256(content + toJson(recipe_.corrections).dump() + recipe_.series.wanted +
                       versionText() + commitText());
     lungsKey_ = sha256(openKey_ + toJson(recipe_.lungs).dump() + toJson(recipe_.surfaces).dump());
+    if (!recipe_.lungEdits.empty()) lungsKey_ = sha256(lungsKey_ + lungEditsText(edits_));
     lungsKept_ = asked(Stage::Lungs) && isKept(Stage::Lungs, lungsKey_);
     result.state = lungsKept_        ? StageState::Kept
                    : options_.dryRun ? StageState::Planned
@@ -102,6 +105,7 @@ class Runner {
     CtFile file = readCt(recipe_.ct, recipe_.corrections, progress.part(0.3, 1.0, "reading the CT"),
                          recipe_.series);
     if (splits() && recipe_.lobes.snap) requireThinSlices(file.image);
+    requireWithin(edits_, file.image.geometry, recipe_.lungEdits);
     result.warnings = file.warnings;
     model_ =
         modelOf(std::move(file), {recipe_.ct, recipe_.corrections, recipe_.series.wanted, 0, {}});
@@ -119,7 +123,9 @@ class Runner {
     const auto start = std::chrono::steady_clock::now();
     folder_.make();
     const std::size_t before = model_.warnings.size();
-    model_ = withLungs(model_, recipe_.lungs, progress.part(0.0, 0.8, "finding the lungs"));
+    model_ = withLungs(model_, recipe_.lungs, progress.part(0.0, 0.7, "finding the lungs"));
+    model_ = withLungEdits(model_, edits_, recipe_.lungEdits, recipe_.lungs.thresholdHu,
+                           progress.part(0.7, 0.8, "correcting the lungs"));
     model_ = withSurfaces(model_, recipe_.surfaces, progress.part(0.8, 0.9, "drawing surfaces"));
     result.warnings.assign(model_.warnings.begin() + static_cast<std::ptrdiff_t>(before),
                            model_.warnings.end());
@@ -262,6 +268,7 @@ class Runner {
   RunFolder folder_;
   std::vector<std::filesystem::path> inputs_;  ///< files of the CT
   LungModel model_;
+  std::vector<LungEdit> edits_;  ///< of the lungs
   LobeInputs lobes_;
   std::string openKey_;
   std::string lungsKey_;

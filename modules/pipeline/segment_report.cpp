@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "pipeline/figure_table.h"
+#include "pipeline/lung_corrections.h"
 #include "pipeline/report.h"
 
 namespace pneuma {
@@ -91,6 +92,7 @@ Json segmentReport(const LungModel& model, const LungOptions& options, double re
   const LungSegmentation& lungs = *model.lungs;
   Json report = reportEnvelope("pneuma/segment/1", model.inputs, toJson(options), 0);
   report["lungs"] = {{"right", toJson(lungs.right)}, {"left", toJson(lungs.left)}};
+  if (model.corrections) report["edits"] = model.corrections->edits.size();
   report["separated"] = lungs.separated;
   report["bridge_mm"] = lungs.bridgeMm;
   report["gas_removed_ml"] = lungs.gasRemovedMl;
@@ -123,6 +125,10 @@ std::string lungsText(const LungModel& model) {
                     fixed(lung->meanHu, 0) + " HU"});
   }
   std::string text = textTable(rows);
+  if (model.corrections) {
+    const std::size_t edits = model.corrections->edits.size();
+    text += "corrected by hand: " + std::to_string(edits) + (edits == 1 ? " edit\n" : " edits\n");
+  }
   if (lungs.gasRemovedMl > 0.0) {
     text += "gas of stomach or bowel taken out: " + fixed(lungs.gasRemovedMl, 1) + " ml\n";
   }

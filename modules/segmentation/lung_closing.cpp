@@ -157,4 +157,49 @@ LungFinding closeLung(const CtImage& ct, std::uint8_t label, const LungOptions& 
   return finding;
 }
 
+void measureLung(const CtImage& ct, std::uint8_t label, double thresholdHu,
+                 const LabelImage& labels, LungFinding& finding, const Progress& progress) {
+  const ImageGeometry& geometry = labels.geometry;
+  const double airwaysMl = finding.volumeWithAirwaysMl - finding.volumeMl;
+  const double droppedMl = finding.droppedMl;
+  finding = {};
+  finding.droppedMl = droppedMl;
+
+  struct Sums {
+    std::int64_t hu = 0;
+    std::size_t voxels = 0;
+    std::size_t air = 0;
+  };
+
+  const std::size_t inSlice = geometry.sliceCount();
+  std::vector<Sums> ofSlice(static_cast<std::size_t>(geometry.size[2]));
+  parallelFor(ofSlice.size(), [&](std::size_t k) {
+    for (std::size_t v = k * inSlice; v < (k + 1) * inSlice; ++v) {
+      if (labels.voxels[v] != label) continue;
+      ofSlice[k].hu += ct.voxels[v];
+      ++ofSlice[k].voxels;
+      if (ct.voxels[v] < thresholdHu) ++ofSlice[k].air;
+    }
+  });
+  Sums sum;
+  for (const Sums& slice : ofSlice) {
+    sum.hu += slice.hu;
+    sum.voxels += slice.voxels;
+    sum.air += slice.air;
+  }
+  if (sum.voxels == 0) return;
+  const double voxelMl = millilitres(geometry.voxelMm3());
+  finding.volumeMl = static_cast<double>(sum.voxels) * voxelMl;
+  finding.volumeWithAirwaysMl = finding.volumeMl + airwaysMl;
+  finding.airMl = static_cast<double>(sum.air) * voxelMl;
+  finding.meanHu = static_cast<double>(sum.hu) / static_cast<double>(sum.voxels);
+  progress.report(0.2);
+  finding.borderMm2 = borderMm2(ct, labels, label, boxOf(labels, label, 0.0));
+  finding.lowestSliceMm2 = sectionMm2(labels, label, 0);
+  finding.highestSliceMm2 = sectionMm2(labels, label, geometry.size[2] - 1);
+  progress.report(0.4);
+  finding.denseShare = denseShare(labels, label, progress);
+  progress.report(1.0);
+}
+
 }  // namespace pneuma

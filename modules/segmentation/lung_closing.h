@@ -10,4 +10,9 @@ namespace pneuma {
 LungFinding closeLung(const CtImage& ct, std::uint8_t label, const LungOptions& options,
                       LabelImage& labels, const Progress& progress = {});
 
+/// Measures a lung in labels as they are: its volume, its density, its air under a threshold, where
+/// it is cut off, what closing would add. What was found of its airways stays.
+void measureLung(const CtImage& ct, std::uint8_t label, double thresholdHu,
+                 const LabelImage& labels, LungFinding& finding, const Progress& progress = {});
+
 }  // namespace pneuma

@@ -72,4 +72,30 @@ LungSegmentation segmentLungs(const CtImage& ct, const LungOptions& options,
   return result;
 }
 
+LungSegmentation measuredAgain(const CtImage& ct, const LabelImage& labels,
+                               const LungSegmentation& found, double thresholdHu,
+                               const Progress& progress) {
+  const AxisOrder order = patientAxes(ct.geometry);
+  if (!order.isIdentity()) {
+    return measuredAgain(turned(ct, order), turned(labels, order), found, thresholdHu, progress);
+  }
+  LungSegmentation result;
+  result.right = found.right;
+  result.left = found.left;
+  result.airways = found.airways;
+  result.central = found.central;
+  result.names = found.names;
+  result.separated = found.separated;
+  result.bridgeMm = found.bridgeMm;
+  result.gasRemovedMl = found.gasRemovedMl;
+  result.airElsewhereMl = found.airElsewhereMl;
+  result.hands = found.hands;
+  measureLung(ct, RightLabel, thresholdHu, labels, result.right,
+              progress.part(0.0, 0.5, "measuring"));
+  measureLung(ct, LeftLabel, thresholdHu, labels, result.left,
+              progress.part(0.5, 1.0, "measuring"));
+  result.checks = segmentationChecks(result);
+  return result;
+}
+
 }  // namespace pneuma

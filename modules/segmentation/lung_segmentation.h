@@ -101,4 +101,13 @@ struct LungSegmentation {
 LungSegmentation segmentLungs(const CtImage& ct, const LungOptions& options = {},
                               const Progress& progress = {});
 
+/// What was found, with the figures and checks of lungs that have other labels now, as after
+/// corrections by hand. The result holds no labels.
+/// @param labels with the voxels of the CT
+/// @param thresholdHu of air, as the lungs were found with
+/// @throws Cancelled
+LungSegmentation measuredAgain(const CtImage& ct, const LabelImage& labels,
+                               const LungSegmentation& found, double thresholdHu,
+                               const Progress& progress = {});
+
 }  // namespace pneuma

@@ -43,6 +43,7 @@ LungModel joined(const LungModel& open, LungModel read) {
     LungModel both = open;
     both.labels = read.labels;
     both.lungs = nullptr;
+    both.corrections = nullptr;
     if (!open.ct) {
       throw InvalidInput("these are labels, not a CT; open the CT that they belong to first");
     }
@@ -71,6 +72,7 @@ LungModel joined(const LungModel& open, LungModel read) {
     read.ctSource = open.ctSource;
     read.labels = open.labels;
     read.lungs = open.lungs;
+    read.corrections = open.corrections;
   }
   if (keepsAirways || keepsCt) {
     read.inputs.insert(read.inputs.begin(), open.inputs.begin(), open.inputs.end());
@@ -100,12 +102,27 @@ QString whatWasRead(const LungModel& model) {
   return parts.join(QStringLiteral(" and "));
 }
 
+/// A moment to go back to needs no labels that its corrections make again.
+Snapshot withoutMadeLabels(Snapshot snapshot) {
+  if (snapshot.model.corrections && snapshot.model.ct) snapshot.model.labels = nullptr;
+  return snapshot;
+}
+
 }  // namespace
 
 Document::Document(QObject* parent) : QObject(parent) {
   for (const GrowthMethod& method : growthMethods()) optionsOf_.push_back(method.defaults);
   connect(&jobs_, &JobQueue::failed, this, &Document::fail);
   connect(&jobs_, &JobQueue::cancelled, this, [this](const QString& title) {
+    if (title == followingTitle()) {
+      if (supersededFollowing_ > 0) {
+        --supersededFollowing_;
+        return;
+      }
+      followingLungs_ = false;
+      emit said(tr("Stopped: surfaces and volumes are those from before the correction"));
+      return;
+    }
     if (std::exchange(superseded_, false)) return;
     emit said(tr("%1: stopped, nothing was changed").arg(title));
   });
@@ -113,6 +130,8 @@ Document::Document(QObject* parent) : QObject(parent) {
     if (busy) return;
     lobeJob_ = LobeJob::None;
     breathing_ = false;
+    followingLungs_ = false;
+    correctingLungs_ = false;
   });
   // Whether something can be undone depends on the queue being idle.
   connect(&jobs_, &JobQueue::busyChanged, this, &Document::changed);
@@ -271,7 +290,7 @@ void Document::become(Snapshot next, const QString& stepName, StepKind kind) {
     unknown_ = {};
     ctStorage_ = CtStorage::Linked;
   }
-  undo_.push_back({stepName, std::move(snapshot_)});
+  undo_.push_back({stepName, withoutMadeLabels(std::move(snapshot_))});
   redo_.clear();
   snapshot_ = std::move(next);
   forgetOldSteps();
@@ -288,23 +307,31 @@ void Document::forgetOldSteps() {
 
 void Document::undo() {
   if (!canUndo()) return;
+  stopFollowingLungs();
   Step step = std::move(undo_.back());
   undo_.pop_back();
-  redo_.push_back({step.name, std::exchange(snapshot_, std::move(step.snapshot))});
+  redo_.push_back(
+      {step.name, withoutMadeLabels(std::exchange(snapshot_, std::move(step.snapshot)))});
+  restoreLabels();
   emit said(tr("Undone: %1").arg(step.name));
   followRegions();
   emit changed();
+  followLungs();
   if (!snapshot_.model.lobes) follow();
 }
 
 void Document::redo() {
   if (!canRedo()) return;
+  stopFollowingLungs();
   Step step = std::move(redo_.back());
   redo_.pop_back();
-  undo_.push_back({step.name, std::exchange(snapshot_, std::move(step.snapshot))});
+  undo_.push_back(
+      {step.name, withoutMadeLabels(std::exchange(snapshot_, std::move(step.snapshot)))});
+  restoreLabels();
   emit said(tr("Redone: %1").arg(step.name));
   followRegions();
   emit changed();
+  followLungs();
   if (!snapshot_.model.lobes) follow();
 }
 

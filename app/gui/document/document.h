@@ -133,6 +133,34 @@ class Document : public QObject {
   /// Finds lungs and central airways in the CT with lungOptions(). Can be undone.
   void findLungs() { findLungs(StepKind::Work); }
 
+  /// Why the lungs cannot be corrected by hand now, and what to do; empty if they can.
+  QString correctionObstacle() const;
+
+  /// Corrects the lungs by one edit. Surfaces and figures follow as a job; what was made of the
+  /// lungs before is gone. Can be undone. While that job runs, lungs can be corrected further.
+  /// @param labels with the edit
+  /// @param what was done, for example "paint right lung"
+  void correctLungs(LungEdit edit, std::shared_ptr<const LabelImage> labels, const QString& what);
+
+  /// Corrects the lungs from a seed, which may take a moment, as a job. Can be undone.
+  void growSeed(LungEdit seed, const QString& what);
+
+  /// Corrects the lungs by the edits of a file, as `pneuma segment --edits` does. Can be undone.
+  void openLungEdits(const std::filesystem::path& path);
+
+  /// Writes all edits of the lungs.
+  void saveLungEdits(const std::filesystem::path& path);
+
+  /// True while surfaces and figures follow corrections of the lungs.
+  bool followingLungs() const { return followingLungs_; }
+
+  /// True while a job corrects the lungs, or what follows that.
+  bool correctingLungs() const { return followingLungs_ || correctingLungs_; }
+
+  /// Makes surfaces and figures those of the corrected lungs, if they are not, as a job. Not while
+  /// another job changes them.
+  void followLungs();
+
   /// Sets what the lungs are split with. Lobes that are there follow. Can be undone, with them.
   /// Not while another job runs.
   /// @param what was done, for example "set a point"
@@ -222,9 +250,9 @@ class Document : public QObject {
   /// is in a file.
   bool workUnsaved() const;
 
-  bool canUndo() const { return !undo_.empty() && !jobs_.busy(); }
+  bool canUndo() const { return !undo_.empty() && idle(); }
 
-  bool canRedo() const { return !redo_.empty() && !jobs_.busy(); }
+  bool canRedo() const { return !redo_.empty() && idle(); }
 
   /// What undo() takes back, for example "grow airways"; empty if there is nothing.
   QString undoName() const { return undo_.empty() ? QString() : undo_.back().name; }
@@ -273,6 +301,20 @@ class Document : public QObject {
   };
 
   void findLungs(StepKind kind);
+  /// Of the job that follows corrections of the lungs.
+  static QString followingTitle();
+
+  /// True if nothing runs but what follows corrections of the lungs.
+  bool idle() const { return !jobs_.busy() || (followingLungs_ && !correctingLungs_); }
+
+  void stopFollowingLungs();
+  /// Corrects the lungs by edits that take a while. @param title of the job
+  void correctByJob(const QString& title, std::function<std::vector<LungEdit>()> edits,
+                    const QString& what);
+  void becomeCorrected(std::vector<LungEdit> edits, std::shared_ptr<const LabelImage> labels,
+                       const QString& what);
+  /// Of a moment that is shown again: the labels that its corrections give.
+  void restoreLabels();
   void become(Snapshot next, const QString& stepName, StepKind kind = StepKind::Work);
   /// Keeps the last steps to undo: 100, or as many as hold 512 MB beside what is shown.
   void forgetOldSteps();
@@ -306,7 +348,10 @@ class Document : public QObject {
   std::optional<InputFile> constantsFile_;  ///< that breatheOptions_.person is of
   LobeJob lobeJob_ = LobeJob::None;
   bool breathing_ = false;
-  bool superseded_ = false;  ///< the job that is cancelled makes way for the next
+  bool followingLungs_ = false;
+  bool correctingLungs_ = false;  ///< by a job
+  int supersededFollowing_ = 0;   ///< jobs that are cancelled because there are newer corrections
+  bool superseded_ = false;       ///< the job that is cancelled makes way for the next
   CtSheets sheets_;
   std::vector<Step> undo_;
   std::vector<Step> redo_;

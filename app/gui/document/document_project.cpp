@@ -15,8 +15,8 @@ namespace pneuma {
 bool Document::workUnsaved() const {
   if (!modified()) return false;
   const LungModel& model = snapshot_.model;
-  const bool onlyGrown =
-      !model.lobes && !model.lungs && !snapshot_.breath && snapshot_.lobeEdits == LobeEdits{};
+  const bool onlyGrown = !model.lobes && !model.lungs && !model.corrections && !snapshot_.breath &&
+                         snapshot_.lobeEdits == LobeEdits{};
   return !(onlyGrown && treeSaved());
 }
 
@@ -151,6 +151,7 @@ void Document::showProject(Project project, const std::filesystem::path& path, O
                                    : tr("Recovered; save it to keep it"));
   emit changed();
   emit projectWasOpened();
+  followLungs();
   if (project.notes.empty()) return;
   QStringList sentences;
   for (const std::string& note : project.notes) sentences << qtText(note);

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "document/breath.h"
+#include "pipeline/lung_corrections.h"
 
 namespace pneuma {
 
@@ -34,10 +35,13 @@ class Parts {
     once(model.ct, [](const CtImage& ct) { return bytesOf(ct.voxels); });
     once(model.labels, [](const LabelImage& labels) { return bytesOf(labels.voxels); });
     once(snapshot.lungLabels, [](const LabelImage& labels) { return bytesOf(labels.voxels); });
-    once(model.lungs, [this](const LungSegmentation& lungs) {
-      const bool counted = !met_.insert(&lungs.labels).second;
-      return counted ? bytesOf(lungs.central)
-                     : bytesOf(lungs.labels.voxels) + bytesOf(lungs.central);
+    once(model.lungs, [this](const LungSegmentation& lungs) { return found(lungs); });
+    once(model.corrections, [this](const LungCorrections& corrections) {
+      once(corrections.found, [this](const LungSegmentation& lungs) { return found(lungs); });
+      once(corrections.read, [](const LabelImage& labels) { return bytesOf(labels.voxels); });
+      std::size_t bytes = bytesOf(corrections.edits);
+      for (const LungEdit& edit : corrections.edits) bytes += bytesOf(edit.points);
+      return bytes;
     });
     surfaces(model.surfaces);
     surfaces(model.wholeLungs);
@@ -70,6 +74,11 @@ class Parts {
   }
 
  private:
+  std::size_t found(const LungSegmentation& lungs) {
+    const bool counted = !met_.insert(&lungs.labels).second;
+    return counted ? bytesOf(lungs.central) : bytesOf(lungs.labels.voxels) + bytesOf(lungs.central);
+  }
+
   template <class T, class Size>
   void once(const std::shared_ptr<const T>& part, const Size& size) {
     if (part && met_.insert(part.get()).second) bytes_ += size(*part);

@@ -13,6 +13,7 @@ ProjectState stateOf(const Snapshot& snapshot) {
   state.name = snapshot.name.toStdString();
   state.model = snapshot.model;
   state.lungOptions = snapshot.lungOptions;
+  state.lungsFollow = snapshot.lungsFollow();
   state.lobeEdits = snapshot.lobeEdits;
   state.splitEdits = snapshot.splitEdits;
   state.reviews = snapshot.reviews;
@@ -25,6 +26,7 @@ Snapshot snapshotOf(const ProjectState& state, const Snapshot& before) {
   Snapshot snapshot = nextSnapshot(before, state.model);
   snapshot.name = qtText(state.name);
   snapshot.lungOptions = state.lungOptions;
+  snapshot.drawn = state.lungsFollow ? state.model.corrections : nullptr;
   snapshot.lobeEdits = state.lobeEdits;
   snapshot.splitEdits = state.splitEdits;
   snapshot.reviews = state.reviews;

@@ -25,6 +25,7 @@ constexpr const char* LabelsName = "labels.nii.gz";
 constexpr const char* CentralName = "central.vtp";
 constexpr const char* TreeName = "tree.vtp";
 constexpr const char* FissuresName = "fissures.json";
+constexpr const char* LungEditsName = "lung-edits.json";
 
 QString saveFirst() {
   return QObject::tr("Save the project first (Ctrl+S): the command reads its file.");
@@ -115,13 +116,20 @@ std::vector<std::string> filesOf(const std::vector<LobeSurface>& surfaces,
   return files;
 }
 
-QString segmentLine(const CtSource& ct, const LungOptions& options) {
+/// Finds the lungs of a CT, corrected by hand where they are.
+QStringList segmentLines(const CtSource& ct, const LungOptions& options, bool corrected) {
+  QStringList lines;
   Line line("segment");
   line.file(ct.path.string());
   if (!ct.series.empty()) line.option("series", ct.series);
   line.options(ct.corrections).options(options);
+  if (corrected) {
+    lines << QObject::tr("# %1 holds the corrections by hand: File, Save lung corrections")
+                 .arg(QString::fromUtf8(LungEditsName));
+    line.option("edits", LungEditsName);
+  }
   line.option("surfaces", LungsFolder).option("central", CentralName);
-  return line.output(LabelsName);
+  return lines << line.output(LabelsName);
 }
 
 /// Splits the lungs of a source by edits, and makes the lobes the source.
@@ -155,7 +163,8 @@ void findSurfaces(Source& source, const Document& document) {
   source.surfaces = filesOf(*surfaces, model.inputs);
   if (!source.surfaces.empty()) return;
   if (model.lungs && model.ctSource) {
-    source.lines << segmentLine(*model.ctSource, document.snapshot().lungOptions);
+    source.lines << segmentLines(*model.ctSource, document.snapshot().lungOptions,
+                                 model.corrections != nullptr);
     source.surfaces = {LungsFolder};
     if (model.central) source.central = CentralName;
   } else if (model.inputs.empty() && !model.ctSource) {
@@ -248,7 +257,13 @@ ShellCommand openCommand(const Document& document) {
 ShellCommand lungsCommand(const Document& document) {
   const LungModel& model = document.model();
   if (!model.ctSource) return refused(QObject::tr("Open a CT first."));
-  return {{segmentLine(*model.ctSource, document.lungOptions())}, {}};
+  if (model.corrections && model.corrections->read) {
+    return refused(
+        QObject::tr("The corrections are of labels from a file, not of lungs that the command "
+                    "finds: export the segmentation."));
+  }
+  const bool corrected = model.corrections && !document.lungsOutOfDate();
+  return {segmentLines(*model.ctSource, document.lungOptions(), corrected), {}};
 }
 
 ShellCommand lobesCommand(const Document& document) {

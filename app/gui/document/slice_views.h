@@ -23,6 +23,9 @@ class SliceViews : public QObject {
   /// change nothing else.
   void show(std::shared_ptr<const CtImage> ct, std::shared_ptr<const LabelImage> labels);
 
+  /// Shows the labels again, of which some voxels were changed.
+  void refresh() { emit changed(); }
+
   /// Shows fissures over the slices; null: none.
   void setFissures(std::shared_ptr<const SliceFissures> fissures);
 

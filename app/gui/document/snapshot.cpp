@@ -33,7 +33,7 @@ std::vector<std::shared_ptr<const LungShape>> lungsOf(const LungModel& model) {
 /// In slices of a CT whose lungs were not found the surfaces tell where they are.
 std::shared_ptr<const LabelImage> labelsOf(const LungModel& model) {
   const auto surfaces = wholeLungsOf(model);
-  if (!model.ct || model.labels || !surfaces) return nullptr;
+  if (!model.ct || model.labels || model.corrections || !surfaces) return nullptr;
   LungModel whole;
   whole.surfaces = surfaces;
   try {
@@ -61,6 +61,7 @@ Snapshot snapshotOf(LungModel model, const QString& name) {
 Snapshot nextSnapshot(const Snapshot& before, LungModel model) {
   Snapshot next = before;
   next.model = std::move(model);
+  if (!next.model.corrections) next.drawn = nullptr;
   if (treeOf(next.model) != treeOf(before.model)) addFigures(next);
   if (next.model.growth != before.model.growth) next.grownIn = next.model.surfaces;
   if (next.model.surfaces != before.model.surfaces || treeOf(next.model) != treeOf(before.model)) {

@@ -9,6 +9,7 @@
 #include "document/fissure_traces.h"
 #include "document/tree_figures.h"
 #include "pipeline/lobe_edits.h"
+#include "pipeline/lung_corrections.h"
 #include "pipeline/lung_model.h"
 #include "pipeline/lung_shape.h"
 #include "pipeline/stiffness_region.h"
@@ -21,9 +22,11 @@ struct Breath;
 /// ones.
 struct Snapshot {
   LungModel model;
-  std::shared_ptr<const TreeFigures> figures;  ///< of treeOf(model); null if there is no tree
-  QString name;                                ///< file names only, never folders
-  LungOptions lungOptions{};                   ///< with which model.lungs were found
+  std::shared_ptr<const TreeFigures> figures;      ///< of treeOf(model); null if there is no tree
+  QString name;                                    ///< file names only, never folders
+  LungOptions lungOptions{};                       ///< with which model.lungs were found
+  std::shared_ptr<const LungCorrections> drawn{};  ///< the corrections that surfaces and figures of
+                                                   ///< the lungs follow; null: none
   std::vector<std::shared_ptr<const LungShape>> lungs{};  ///< whole ones, fit to be split
   std::shared_ptr<const LabelImage> lungLabels{};         ///< of `lungs`, where a CT has no labels
   LobeEdits lobeEdits{};                                  ///< for the next split
@@ -34,6 +37,9 @@ struct Snapshot {
   std::vector<StiffnessRegion> regions{};                     ///< for the next breath
   std::shared_ptr<const Breath> breath{};  ///< of the surfaces and the tree; null: none yet
   std::uint64_t revision = 0;              ///< another one for every other state of the work
+
+  /// True if surfaces and figures of the lungs are those of the labels.
+  bool lungsFollow() const { return drawn == model.corrections; }
 };
 
 /// A snapshot of `model` with the figures of its tree and its whole lungs.

@@ -58,6 +58,21 @@ void makeFissureActions(Actions& a, QWidget* window) {
   a.acceptFissures->setIconText(tr("Accept"));
 }
 
+void makeLungActions(Actions& a, QWidget* window) {
+  const auto tr = [](const char* text) { return QObject::tr(text); };
+  a.brush = inSlices(window, "actionBrush", tr("Paint l&ungs with a brush"), {keys("D")});
+  a.brush->setIconText(tr("Brush"));
+  a.eraser = inSlices(window, "actionEraser", tr("Erase lungs with a brus&h"), {keys("Shift+D")});
+  a.eraser->setIconText(tr("Erase"));
+  a.seed = inSlices(window, "actionSeed", tr("Grow lungs from a see&d"), {keys("T")});
+  a.seed->setIconText(tr("Seed"));
+  for (QAction* tool : {a.brush, a.eraser, a.seed}) tool->setCheckable(true);
+  a.largerBrush = inSlices(window, "actionLargerBrush", tr("Larger brush"), {keys("+"), keys("=")});
+  a.smallerBrush = inSlices(window, "actionSmallerBrush", tr("Smaller brush"), {keys("-")});
+  a.openLungEdits = action(window, "actionOpenLungEdits", tr("Open lung corrections..."));
+  a.saveLungEdits = action(window, "actionSaveLungEdits", tr("Save lung corrections..."));
+}
+
 }  // namespace
 
 Actions makeActions(QWidget* window) {
@@ -94,6 +109,7 @@ Actions makeActions(QWidget* window) {
   a.undo = action(window, "actionUndo", tr("&Undo"), {keys("Ctrl+Z")});
   a.redo = action(window, "actionRedo", tr("&Redo"), {keys("Ctrl+Shift+Z"), keys("Ctrl+Y")});
   a.findLungs = action(window, "actionFindLungs", tr("Find &lungs"), {keys("Ctrl+L")}, "lungs");
+  makeLungActions(a, window);
   makeFissureActions(a, window);
   a.splitLobes = action(window, "actionSplitLobes", tr("&Split into lobes"), {keys("Ctrl+B")});
   a.grow = action(window, "actionGrow", tr("&Grow airways"), {keys("Ctrl+Return")});
@@ -142,6 +158,7 @@ void fillMenus(QMenuBar& bar, const Actions& a) {
   file->addSeparator();
   file->addActions({a.saveProject, a.saveProjectAs, a.packCt});
   file->addSeparator();
+  file->addActions({a.openLungEdits, a.saveLungEdits});
   file->addActions({a.openFissures, a.saveFissures});
   file->addSeparator();
   file->addActions({a.exportCase, a.saveTree, a.saveBreath, a.savePicture});
@@ -151,6 +168,8 @@ void fillMenus(QMenuBar& bar, const Actions& a) {
   edit->addActions({a.undo, a.redo, a.findCommand});
   edit->addSeparator();
   edit->addAction(a.copyCommand);
+  edit->addSeparator();
+  edit->addActions({a.brush, a.eraser, a.seed, a.largerBrush, a.smallerBrush});
   edit->addSeparator();
   edit->addActions({a.placePoints, a.snap, a.review, a.looksRight, a.editHere, a.acceptFissures});
   edit->addSeparator();

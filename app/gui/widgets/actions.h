@@ -48,6 +48,14 @@ struct Actions {
   QAction* snap = nullptr;         ///< checkable; so does its key
   QAction* openFissures = nullptr;
   QAction* saveFissures = nullptr;
+  QAction* brush =
+      nullptr;  ///< checkable; the keys of this one and the next four act in the slices
+  QAction* eraser = nullptr;  ///< checkable
+  QAction* seed = nullptr;    ///< checkable
+  QAction* largerBrush = nullptr;
+  QAction* smallerBrush = nullptr;
+  QAction* openLungEdits = nullptr;
+  QAction* saveLungEdits = nullptr;
   QAction* splitLobes = nullptr;
   QAction* review = nullptr;  ///< the keys of this one and the next two act in the slices
   QAction* looksRight = nullptr;
@@ -71,6 +79,9 @@ struct Actions {
 
   /// Those of the fissures whose keys act in the slices.
   QList<QAction*> ofFissures() const { return {placePoints, snap, review, looksRight, editHere}; }
+
+  /// Those of correcting lungs, likewise.
+  QList<QAction*> ofLungs() const { return {brush, eraser, seed, largerBrush, smallerBrush}; }
 };
 
 /// @param window owns the actions and answers their keys

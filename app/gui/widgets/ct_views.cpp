@@ -74,6 +74,7 @@ void CtViews::connectActions(const Actions& actions) {
   const SliceActions& slices = actions.slices;
   addActions(slices.all());
   for (SliceView* slice : slices_) slice->addActions(actions.ofFissures());
+  for (SliceView* slice : slices_) slice->addActions(actions.ofLungs());
   const auto change = [this](const QAction* action, auto edit) {
     connect(action, &QAction::triggered, this, [this, edit](bool checked) {
       SliceLook look = views_.look();

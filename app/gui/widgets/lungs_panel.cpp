@@ -14,14 +14,15 @@
 #include "widgets/action_button.h"
 #include "widgets/actions.h"
 #include "widgets/heading.h"
+#include "widgets/lung_tools_card.h"
 #include "widgets/options_form.h"
 #include "widgets/scrolled.h"
 #include "widgets/sheet_card.h"
 
 namespace pneuma {
 
-LungsPanel::LungsPanel(Document& document, SliceViews& slices, const Actions& actions,
-                       QWidget* parent)
+LungsPanel::LungsPanel(Document& document, LungEditor& editor, SliceViews& slices,
+                       const Actions& actions, QWidget* parent)
     : QWidget(parent), document_(document), slices_(slices) {
   // What was found is taller than a small window.
   auto* content = new QWidget;
@@ -50,6 +51,8 @@ LungsPanel::LungsPanel(Document& document, SliceViews& slices, const Actions& ac
   note_->setProperty("role", "dim");
   note_->setWordWrap(true);
   column->addWidget(note_);
+  column->addSpacing(6);
+  column->addWidget(new LungToolsCard(document_, editor, actions));
   column->addSpacing(6);
   heading_ = heading(tr("Found"));
   column->addWidget(heading_);
@@ -108,6 +111,9 @@ void LungsPanel::endPreview() { preview_->setChecked(false); }
 QString LungsPanel::note() const {
   if (!document_.model().ct) return tr("Open a CT first: there is nothing to look in.");
   if (document_.lungsOutOfDate()) return tr("Changed since these lungs were found.");
+  if (document_.model().corrections) {
+    return tr("Finding the lungs again leaves the corrections out; undo brings them back.");
+  }
   return {};
 }
 

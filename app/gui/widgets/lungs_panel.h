@@ -12,16 +12,17 @@ namespace pneuma {
 
 struct Actions;
 class Document;
+class LungEditor;
 class SheetCard;
 class SliceViews;
 
 /// Step "Lungs": the threshold and the other options of the search, what the threshold takes in on
-/// the slices that are shown, and what was found, with checks.
+/// the slices that are shown, tools to correct lungs by hand, and what was found, with checks.
 class LungsPanel : public QWidget {
   Q_OBJECT
 
  public:
-  LungsPanel(Document& document, SliceViews& slices, const Actions& actions,
+  LungsPanel(Document& document, LungEditor& editor, SliceViews& slices, const Actions& actions,
              QWidget* parent = nullptr);
 
   /// Takes the threshold's colour off the slices.

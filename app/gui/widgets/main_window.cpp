@@ -177,6 +177,8 @@ void MainWindow::connectFissures() {
 
 void MainWindow::goTo(Step step) {
   if (step != LungsStep) lungsPanel_->endPreview();
+  activateLungTools(step == LungsStep);
+  if (!document_.jobs().busy()) document_.followLungs();
   fissureViews_->setActive(step == LobesStep);
   if (step != LobesStep) review_.stop();
   if (step != BreathingStep) regions_.setPlacing(RegionEditor::Placing::Nothing);
@@ -233,12 +235,14 @@ void MainWindow::showScene() {
   const auto tree = document_.tree();
   const bool wasEmpty = centre_->currentIndex() == 0;
   const bool otherSurfaces = snapshot.model.surfaces != shownSurfaces_;
-  // The lobes of lungs that are shown are seen from where one stands.
+  // Lungs of the same CT, and the lobes of lungs that are shown, are seen from where one stands.
   const auto whole = wholeLungsOf(snapshot.model);
-  const bool otherLungs = otherSurfaces && (!whole || whole != shownWhole_);
+  const bool corrected = whole && shownWhole_ && snapshot.model.ct && snapshot.model.ct == shownCt_;
+  const bool otherLungs = otherSurfaces && (!whole || whole != shownWhole_) && !corrected;
   shownWhole_ = whole;
   if (otherSurfaces) view_->setSurfaces(sceneSurfaces(snapshot.model.surfaces));
-  const auto& labels = snapshot.model.labels ? snapshot.model.labels : snapshot.lungLabels;
+  auto labels = snapshot.model.labels ? snapshot.model.labels : snapshot.lungLabels;
+  if (const auto draft = lungEditor_.draft()) labels = draft;
   sliceViews_.show(snapshot.model.ct, labels);
   sliceBar_->setVisible(snapshot.model.ct != nullptr);
   viewBar_->setDeepest(
@@ -310,7 +314,11 @@ void MainWindow::probePoint(const std::optional<Vec3>& point) {
 }
 
 void MainWindow::cancel() {
-  if (fissures_.placing()) {
+  if (lungEditor_.stroking()) {
+    lungEditor_.abandon();
+  } else if (lungEditor_.tool() != LungEditor::Tool::None) {
+    lungEditor_.setTool(LungEditor::Tool::None);
+  } else if (fissures_.placing()) {
     fissures_.setPlacing(false);
   } else if (regions_.placing() != RegionEditor::Placing::Nothing) {
     regions_.setPlacing(RegionEditor::Placing::Nothing);

@@ -12,6 +12,7 @@
 #include "document/breath_player.h"
 #include "document/document.h"
 #include "document/fissure_editor.h"
+#include "document/lung_editor.h"
 #include "document/region_editor.h"
 #include "document/review_walk.h"
 #include "document/slice_views.h"
@@ -61,6 +62,8 @@ class MainWindow : public QMainWindow {
 
   SliceViews& slices() { return sliceViews_; }
 
+  LungEditor& lungEditor() { return lungEditor_; }
+
   FissureEditor& fissures() { return fissures_; }
 
   ReviewWalk& review() { return review_; }
@@ -104,6 +107,10 @@ class MainWindow : public QMainWindow {
   void connectDocument();
   void connectView();
   void connectFissures();
+  void connectLungs();
+  /// Lets the slices take part in correcting lungs, or no longer.
+  void activateLungTools(bool active);
+  void updateLungActions();
   void connectBreathing();
   void connectExport();
   void connectCommands();
@@ -161,6 +168,7 @@ class MainWindow : public QMainWindow {
   Document document_;
   StructureModel structures_;
   SliceViews sliceViews_;
+  LungEditor lungEditor_{document_, sliceViews_};
   FissureEditor fissures_{document_};
   ReviewWalk review_{document_, fissures_, sliceViews_};
   BreathPlayer player_;

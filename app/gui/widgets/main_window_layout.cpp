@@ -138,7 +138,7 @@ QWidget* MainWindow::makeRail() {
   openPanel_ = new OpenPanel(actions_);
   exportPanel_ = new ExportPanel(document_, actions_);
   panels_->addWidget(openPanel_);
-  lungsPanel_ = new LungsPanel(document_, sliceViews_, actions_);
+  lungsPanel_ = new LungsPanel(document_, lungEditor_, sliceViews_, actions_);
   panels_->addWidget(lungsPanel_);
   panels_->addWidget(new LobesPanel(document_, fissures_, review_, sliceViews_, actions_));
   panels_->addWidget(new GrowthPanel(document_, actions_));
@@ -235,6 +235,7 @@ MainWindow::MainWindow() : actions_(makeActions(this)) {
   connectDocument();
   connectView();
   connectFissures();
+  connectLungs();
   connectBreathing();
   connectProject();
   connectExport();

@@ -29,6 +29,7 @@ void MainWindow::updateActions() {
   allow(*actions_.findLungs, ct && !busy, tr("Find lungs and central airways in the CT"),
         busy ? wait : tr("Open a CT first"));
   const bool whole = document_.canSplit();
+  updateLungActions();
   updateFissureActions();
   updateBreathingActions();
   updateExportActions();
@@ -46,8 +47,8 @@ void MainWindow::updateActions() {
   allow(*actions_.packCt, ct && !busy, {}, busy ? wait : tr("Open a CT first"));
   for (QAction* recent : actions_.recents) recent->setEnabled(!busy);
   allow(*actions_.cancel,
-        busy || branch_ || fissures_.placing() || review_.active() ||
-            regions_.placing() != RegionEditor::Placing::Nothing,
+        busy || branch_ || lungEditor_.tool() != LungEditor::Tool::None || fissures_.placing() ||
+            review_.active() || regions_.placing() != RegionEditor::Placing::Nothing,
         {}, tr("Nothing is running"));
   allow(*actions_.undo, document_.canUndo(), {}, busy ? wait : tr("Nothing was done yet"));
   actions_.undo->setText(tr("&Undo %1").arg(document_.undoName()).trimmed());
@@ -120,24 +121,29 @@ void MainWindow::updateSteps() {
   StepButton& lungs = *steps_[LungsStep];
   if (!model.ct) {
     lungs.setState(StepState::ToDo, tr("in a CT"));
-  } else if (busy && !document_.canGrow()) {
+  } else if ((busy && !document_.canGrow()) || document_.followingLungs()) {
     lungs.setState(StepState::Running, {});
-  } else if (document_.lungsOutOfDate()) {
+  } else if (document_.lungsOutOfDate() || !snapshot.lungsFollow()) {
     lungs.setState(StepState::OutOfDate, {});
   } else if (model.lungs) {
     const LungSegmentation& found = *model.lungs;
     const bool fine = std::ranges::all_of(found.checks, &SegmentationCheck::ok);
     lungs.setState(fine ? StepState::Done : StepState::CheckMe,
-                   withUnit(found.right.volumeMl + found.left.volumeMl, 0, "mL"));
+                   model.corrections
+                       ? tr("corrected by hand")
+                       : withUnit(found.right.volumeMl + found.left.volumeMl, 0, "mL"));
   } else {
     lungs.setState(model.labels ? StepState::Done : StepState::ToDo,
-                   model.labels ? tr("labels from a file") : QString());
+                   model.corrections ? tr("corrected by hand")
+                   : model.labels    ? tr("labels from a file")
+                                     : QString());
   }
 
   updateLobesStep();
 
   StepButton& airways = *steps_[AirwaysStep];
-  if (busy && document_.canGrow() && !document_.splitting() && !document_.breathing()) {
+  if (busy && document_.canGrow() && !document_.splitting() && !document_.breathing() &&
+      !document_.correctingLungs()) {
     airways.setState(StepState::Running, {});
   } else if (!model.growth) {
     airways.setState(StepState::ToDo, {});

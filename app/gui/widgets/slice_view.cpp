@@ -21,6 +21,7 @@ constexpr double ZoomPerNotch = 1.2;
 constexpr double ZoomPerPixel = 1.008;
 constexpr double HuPerPixel = 4.0;
 constexpr double MarkReachPixels = 9.0;
+constexpr int BrushShadow = 140;  ///< of a circle on a bright ground, of 255
 
 }  // namespace
 
@@ -35,6 +36,7 @@ SliceView::SliceView(SliceViews& views, SlicePlane plane, QWidget* parent)
   setMinimumSize(120, 100);
   setCursor(Qt::CrossCursor);
   connect(&views_, &SliceViews::changed, this, [this] {
+    drawn_ = {};
     if (views_.empty()) return;
     setAccessibleDescription(
         qtText(positionText(normalAxis(plane_), views_.point()[normalAxis(plane_)])));
@@ -46,11 +48,39 @@ void SliceView::setEditor(FissureEditor* editor) {
   if (editor_ != nullptr) editor_->disconnect(this);
   editor_ = editor;
   drag_ = Drag::None;
-  const auto showCursor = [this] {
-    setCursor(editor_ != nullptr && editor_->placing() ? Qt::PointingHandCursor : Qt::CrossCursor);
-  };
-  if (editor_ != nullptr) connect(editor_, &FissureEditor::changed, this, showCursor);
+  if (editor_ != nullptr) connect(editor_, &FissureEditor::changed, this, &SliceView::showCursor);
   showCursor();
+}
+
+void SliceView::setLungEditor(LungEditor* editor) {
+  if (lungEditor_ != nullptr) lungEditor_->disconnect(this);
+  lungEditor_ = editor;
+  drag_ = Drag::None;
+  if (lungEditor_ != nullptr) {
+    connect(lungEditor_, &LungEditor::changed, this, &SliceView::showCursor);
+  }
+  showCursor();
+}
+
+void SliceView::showCursor() {
+  const bool seed = lungEditor_ != nullptr && lungEditor_->tool() == LungEditor::Tool::Seed;
+  const bool placing = editor_ != nullptr && editor_->placing();
+  setCursor(seed || placing ? Qt::PointingHandCursor : Qt::CrossCursor);
+  update();  // the circle
+}
+
+void SliceView::drawBrush(QPainter& painter) const {
+  if (lungEditor_ == nullptr || !lungEditor_->brushing() || !pointer_) return;
+  const double radius = lungEditor_->radiusMm() / frame().mmPerPixel / devicePixelRatioF();
+  const QPointF centre = QPointF(*pointer_) + QPointF(0.5, 0.5);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(QPen(QColor(0, 0, 0, BrushShadow), 3.0));
+  painter.drawEllipse(centre, radius, radius);
+  const bool erases = lungEditor_->tool() == LungEditor::Tool::Eraser;
+  painter.setPen(QPen(Qt::white, 1.4, erases ? Qt::DashLine : Qt::SolidLine));
+  painter.drawEllipse(centre, radius, radius);
+  painter.setRenderHint(QPainter::Antialiasing, false);
 }
 
 SliceFrame SliceView::frame() const {
@@ -85,9 +115,13 @@ void SliceView::paintEvent(QPaintEvent*) {
     painter.fillRect(rect(), Qt::black);
     return;
   }
-  QImage image = picture();
-  image.setDevicePixelRatio(devicePixelRatioF());
-  painter.drawImage(0, 0, image);
+  const SliceFrame shown = frame();
+  if (drawn_.isNull() || drawn_.width() != shown.width || drawn_.height() != shown.height) {
+    drawn_ = picture();
+    drawn_.setDevicePixelRatio(devicePixelRatioF());
+  }
+  painter.drawImage(0, 0, drawn_);
+  drawBrush(painter);
   if (hasFocus()) {
     painter.setPen(currentTheme().accent);
     painter.drawRect(rect().adjusted(0, 0, -1, -1));
@@ -98,6 +132,7 @@ void SliceView::mousePressEvent(QMouseEvent* event) {
   if (views_.empty()) return;
   before_ = event->pos();
   if (editor_ != nullptr && pressFissure(*event)) return;
+  if (lungEditor_ != nullptr && pressLungs(*event)) return;
   zoomedAbout_ = onPicture(event->pos());
   const bool shift = event->modifiers().testFlag(Qt::ShiftModifier);
   switch (event->button()) {
@@ -150,8 +185,20 @@ bool SliceView::pressFissure(const QMouseEvent& event) {
   return true;
 }
 
+bool SliceView::pressLungs(const QMouseEvent& event) {
+  if (lungEditor_->tool() == LungEditor::Tool::None || windowKey_ ||
+      event.modifiers() != Qt::NoModifier || event.button() != Qt::LeftButton) {
+    return false;
+  }
+  lungEditor_->press(plane_, frame().pointAt(onPicture(event.pos())));
+  drag_ = lungEditor_->stroking() ? Drag::Stroke : Drag::None;
+  return true;
+}
+
 void SliceView::mouseMoveEvent(QMouseEvent* event) {
   if (views_.empty()) return;
+  pointer_ = event->pos();
+  if (lungEditor_ != nullptr && lungEditor_->brushing()) update();
   emit hovered(frame().pointAt(onPicture(event->pos())));
   if (event->buttons() == Qt::NoButton) {
     if (event->modifiers().testFlag(Qt::ShiftModifier)) {
@@ -189,6 +236,9 @@ void SliceView::dragTo(const QPoint& position) {
     case Drag::Mark:
       if (editor_ != nullptr) editor_->drag(mark_, shown.pointAt(onPicture(position)));
       break;
+    case Drag::Stroke:
+      if (lungEditor_ != nullptr) lungEditor_->drag(shown.pointAt(onPicture(position)));
+      break;
     case Drag::None:
       break;
   }
@@ -196,12 +246,17 @@ void SliceView::dragTo(const QPoint& position) {
 
 void SliceView::mouseReleaseEvent(QMouseEvent*) {
   if (drag_ == Drag::Mark && editor_ != nullptr) editor_->release();
+  if (drag_ == Drag::Stroke && lungEditor_ != nullptr) lungEditor_->release();
   drag_ = Drag::None;
 }
 
 void SliceView::mouseDoubleClickEvent(QMouseEvent* event) {
   if (editor_ != nullptr && editor_->placing()) {
     mousePressEvent(event);  // two clicks soon after one another
+    return;
+  }
+  if (lungEditor_ != nullptr && lungEditor_->tool() != LungEditor::Tool::None) {
+    mousePressEvent(event);
     return;
   }
   drag_ = Drag::None;
@@ -293,6 +348,8 @@ void SliceView::keyReleaseEvent(QKeyEvent* event) {
 
 void SliceView::leaveEvent(QEvent*) {
   windowKey_ = false;
+  pointer_.reset();
+  if (lungEditor_ != nullptr && lungEditor_->brushing()) update();
   emit hovered(std::nullopt);
 }
 

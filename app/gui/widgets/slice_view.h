@@ -1,12 +1,16 @@
 #pragma once
 
 #include <QImage>
+#include <QPoint>
 #include <QWidget>
 #include <optional>
 
 #include "document/fissure_editor.h"
+#include "document/lung_editor.h"
 #include "document/slice_views.h"
 #include "widgets/view_keys.h"
+
+class QPainter;
 
 namespace pneuma {
 
@@ -16,7 +20,8 @@ namespace pneuma {
 /// keyboard: Up/Down, B/F and PageUp/PageDown change the slice, R shows everything again. While
 /// fissures are edited, a left drag moves a mark of theirs and a right click deletes a point; while
 /// points are set, a left click sets one, Backspace takes the last back, Tab goes to the next
-/// fissure.
+/// fissure. While lungs are corrected, a left drag paints or erases within the circle around the
+/// pointer, a click sets a seed.
 class SliceView : public QWidget {
   Q_OBJECT
 
@@ -25,6 +30,9 @@ class SliceView : public QWidget {
 
   /// Takes part in editing fissures; null: no longer.
   void setEditor(FissureEditor* editor);
+
+  /// Takes part in correcting lungs; null: no longer.
+  void setLungEditor(LungEditor* editor);
 
   /// The pixel of this widget at which a point (LPS, mm) is drawn.
   QPoint positionOf(const Vec3& point) const;
@@ -51,13 +59,17 @@ class SliceView : public QWidget {
   bool focusNextPrevChild(bool next) override;
 
  private:
-  enum class Drag { None, Point, Pan, Zoom, Window, Mark };
+  enum class Drag { None, Point, Pan, Zoom, Window, Mark, Stroke };
 
   SliceFrame frame() const;
   PicturePoint onPicture(const QPointF& position) const;
   void dragTo(const QPoint& position);
   /// True if the press was for the fissures.
   bool pressFissure(const QMouseEvent& event);
+  /// True if the press was for the lungs.
+  bool pressLungs(const QMouseEvent& event);
+  void drawBrush(QPainter& painter) const;
+  void showCursor();
   bool act(SliceKey does);
   /// True if there is something to do.
   bool actOnFissures(SliceKey does);
@@ -72,6 +84,9 @@ class SliceView : public QWidget {
   FissureEditor* editor_ = nullptr;
   FissureEditor::Mark mark_;  ///< that is dragged
   int wheelRest_ = 0;         ///< turned, but not yet a slice
+  LungEditor* lungEditor_ = nullptr;
+  std::optional<QPoint> pointer_;  ///< while it is here
+  mutable QImage drawn_;           ///< what paintEvent() drew last; null: it has to be drawn anew
 };
 
 }  // namespace pneuma

@@ -74,6 +74,8 @@ constexpr MouseRow MouseRows[] = {
     {true, QT_TR_NOOP("Ctrl+Wheel"), QT_TR_NOOP("Zoom about the pointer; so does a right drag")},
     {true, QT_TR_NOOP("Middle drag"), QT_TR_NOOP("Move the picture; so does Shift+left drag")},
     {true, QT_TR_NOOP("Double click"), QT_TR_NOOP("This view alone, and back")},
+    {true, QT_TR_NOOP("Drag with a brush"), QT_TR_NOOP("Lungs: paint or erase in the circle")},
+    {true, QT_TR_NOOP("Click with a seed"), QT_TR_NOOP("Lungs: take in what hangs together there")},
     {false, QT_TR_NOOP("Drag"), QT_TR_NOOP("Turn")},
     {false, QT_TR_NOOP("Middle drag"), QT_TR_NOOP("Move; so does Shift+left drag")},
     {false, QT_TR_NOOP("Wheel"), QT_TR_NOOP("Zoom; so does a right drag")},

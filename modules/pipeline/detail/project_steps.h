@@ -103,6 +103,30 @@ void describe(Archive& archive, T& lungs) {
 }
 
 template <class Archive, class T>
+requires Is<T, LungEdit>
+
+void describe(Archive& archive, T& edit) {
+  archive("tool", edit.tool);
+  archive("lung", edit.side);
+  archive("shape", edit.shape);
+  archive("radius_mm", edit.radiusMm);
+  archive("points", edit.points);
+  archive("below_hu", edit.belowHu);
+}
+
+template <class Archive, class T>
+requires Is<T, LungCorrections>
+
+void describe(Archive& archive, T& corrections) {
+  archive("found", corrections.found);
+  archive("read", corrections.read);
+  archive("edits", corrections.edits);
+  if constexpr (Archive::Reading) {
+    if (!corrections.found && !corrections.read) archive.fail("corrects no labels");
+  }
+}
+
+template <class Archive, class T>
 requires Is<T, GrowthOptions>
 
 void describe(Archive& archive, T& options) {
@@ -315,6 +339,7 @@ void describe(Archive& archive, T& model) {
     if (centralOfLungs) model.central = {model.lungs, &model.lungs->central};
   }
   if (!labelsOfLungs) archive("labels", model.labels);
+  archive("corrections", model.corrections);
   archive("surfaces", model.surfaces);
   archive("whole_lungs", model.wholeLungs);
   archive("lobes", model.lobes);
@@ -335,6 +360,7 @@ void describe(Archive& archive, T& state) {
   archive("name", state.name);
   archive("model", state.model);
   archive("lungs_found_with", state.lungOptions);
+  archive("lungs_follow", state.lungsFollow);
   archive("lobe_edits", state.lobeEdits);
   archive("lobes_split_with", state.splitEdits);
   archive("reviews", state.reviews);
