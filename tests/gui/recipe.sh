@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # What is done by clicking and what `pneuma run` does by the recipe that the window exports of it are
-# the same files, byte for byte: fissures set by points and by a plane, two methods of growth.
+# the same files, byte for byte: a lung corrected by a brush, fissures set by points and by a plane,
+# two methods of growth.
 # Needs PNEUMA, DESKTOP (pneuma-desktop), a CT of thin slices, a display, and a folder OUT for its
 # pictures.
 set -u
@@ -28,6 +29,10 @@ END
 {
   cat <<'END'
 [{"do": "open", "paths": ["${CT}"]}, {"do": "wait", "seconds": 600},
+ {"do": "click", "name": "stepLungs"}, {"do": "click", "name": "brush"},
+ {"do": "set", "name": "brushRadius", "value": 8}, {"do": "set", "name": "brushLung", "value": "Right"},
+ {"do": "drag-point", "name": "slice_axial", "from": [-120, 0, 0], "to": [-125, 25, 0]},
+ {"do": "wait", "seconds": 300}, {"do": "expect", "state": "lungEdits", "equals": 1},
  {"do": "click", "name": "stepLobes"}, {"do": "click", "name": "edit_right-oblique"},
  {"do": "click-point", "name": "slice_axial", "point": [-75.6, 14.3, 0]},
  {"do": "trigger", "name": "actionPlacePoints"},
@@ -62,6 +67,7 @@ END
 
 cat "$FOLDER/recipe/recipe.json" "$FOLDER/recipe/fissures.json"
 grep -q '"tilt\|"plane' "$FOLDER/recipe/fissures.json" || fail "the plane is not in the recipe"
+grep -q '"paint"' "$FOLDER/recipe/lung-edits.json" || fail "the stroke is not in the recipe"
 "$PNEUMA" run "$FOLDER/recipe/recipe.json" -o "$FOLDER/again" || fail "run"
 cmp "$FOLDER/tree/tree.vtp" "$FOLDER/again/tree.vtp" || fail "run grows another tree"
 cmp "$FOLDER/segmentation/labels.nii.gz" "$FOLDER/again/lobes/labels.nii.gz" ||
