@@ -1,6 +1,7 @@
 // Small windows and small displays: nothing is cut, nothing lies over anything else.
 #include <QAction>
 #include <QScrollArea>
+#include <QStackedWidget>
 
 #include <gtest/gtest.h>
 
@@ -49,13 +50,19 @@ class SizesWindowTest : public testing::WindowTest {
     }
   }
 
-  /// Panels scroll upright only.
+  /// Panels scroll upright only, and are not squeezed.
   void expectPanelsWithin() {
+    const auto& rail = find<QWidget>("rail");
+    const QWidget* panel = rail.findChild<QStackedWidget*>()->currentWidget();
+    EXPECT_GE(panel->height(), panel->minimumSizeHint().height())
+        << panel->metaObject()->className() << " at " << window.height();
     for (const QScrollArea* area : window.findChildren<QScrollArea*>()) {
       if (!area->isVisible()) continue;
       EXPECT_LE(area->widget()->width(), area->viewport()->width())
           << area->widget()->metaObject()->className() << " in " << area->objectName().toStdString()
           << " at " << window.width() << " x " << window.height();
+      EXPECT_GE(area->widget()->height(), area->widget()->minimumSizeHint().height())
+          << area->widget()->metaObject()->className() << " at " << window.height();
     }
   }
 };
