@@ -118,18 +118,25 @@ FileInfo treeInfo(const std::filesystem::path& path) {
   return info;
 }
 
+/// What is to be told of CTs.
+struct CtWish {
+  bool identifiers = false;  ///< names of people and places, too
+  SeriesChoice series;
+};
+
 /// Missing slices are interpolated here, so that the rest of the card can be told with them.
 /// @param inputs gets what was read, unless nullptr
-FileInfo ctInfo(const std::filesystem::path& path, bool identifiers, std::vector<InputFile>* inputs,
-                const Progress& progress) {
-  const CtFile file = readCt(path, {.fillGaps = true}, progress.part(0.0, 0.3, "reading"));
+FileInfo ctInfo(const std::filesystem::path& path, const CtWish& wish,
+                std::vector<InputFile>* inputs, const Progress& progress) {
+  const CtFile file =
+      readCt(path, {.fillGaps = true}, progress.part(0.0, 0.3, "reading"), wish.series);
   if (inputs != nullptr) {
     inputs->push_back(ctInput(path, file, progress.part(0.3, 0.4, "hashing")));
   }
   FileInfo info;
   info.json = {{"path", path.string()}};
-  info.json.update(ctJson(file, identifiers));
-  info.text = path.string() + ": " + file.format + " CT\n" + ctText(file, identifiers);
+  info.json.update(ctJson(file, wish.identifiers));
+  info.text = path.string() + ": " + file.format + " CT\n" + ctText(file, wish.identifiers);
   const OrientationCheck check =
       checkOrientation(file.image, progress.part(0.4, 1.0, "looking which lung is the right one"));
   info.text += "  " + std::string(check.maybeSwapped() ? "! " : "") + check.sentence + "\n";
@@ -173,7 +180,7 @@ std::vector<std::filesystem::path> opened(const std::vector<std::filesystem::pat
   return files;
 }
 
-ExitCode runInfo(const std::vector<std::filesystem::path>& paths, bool identifiers,
+ExitCode runInfo(const std::vector<std::filesystem::path>& paths, const CtWish& wish,
                  const CommonOptions& common, const Progress& progress) {
   const std::vector<std::filesystem::path> files = opened(paths);
   std::vector<InputFile> inputs;
@@ -187,7 +194,7 @@ ExitCode runInfo(const std::vector<std::filesystem::path>& paths, bool identifie
       if (common.json) inputs.push_back(inputFile(files[i], progress.part(from, to, "hashing")));
       info = projectInfo(files[i], progress.part(from, to, "opening"));
     } else if (isCtPath(files[i])) {
-      info = ctInfo(files[i], identifiers, common.json ? &inputs : nullptr,
+      info = ctInfo(files[i], wish, common.json ? &inputs : nullptr,
                     progress.part(from, to, "reading"));
     } else {
       if (common.json) inputs.push_back(inputFile(files[i], progress.part(from, to, "hashing")));
@@ -211,16 +218,19 @@ ExitCode runInfo(const std::vector<std::filesystem::path>& paths, bool identifie
 
 Run declareInfo(CLI::App& app, CommonOptions& common) {
   const auto files = std::make_shared<std::vector<std::filesystem::path>>();
-  const auto identifiers = std::make_shared<bool>(false);
+  const auto wish = std::make_shared<CtWish>();
   addFiles(app, "FILES", *files,
            "Surfaces, trees, CTs (DICOM, zipped DICOM, NIfTI, NRRD, MHA), folders of them, or "
            "projects.")
       ->required();
-  app.add_flag("--phi", *identifiers,
+  app.add_option("--series", wish->series.wanted,
+                 "The series of a CT to tell of: its place in the list, or its UID; else the best.")
+      ->type_name("N|UID");
+  app.add_flag("--phi", wish->identifiers,
                "Also print the names of people and places that DICOM holds.");
   addJson(app, common);
-  return [files, identifiers, &common](const Progress& progress) {
-    return runInfo(*files, *identifiers, common, progress);
+  return [files, wish, &common](const Progress& progress) {
+    return runInfo(*files, *wish, common, progress);
   };
 }
 

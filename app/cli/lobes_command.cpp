@@ -27,6 +27,8 @@ struct LobesArguments {
   std::string fractions;
   LungLabelOptions numbers;
   std::filesystem::path ct;
+  SeriesChoice series;
+  CtCorrections corrections;
   std::filesystem::path labels;
   bool snap = false;
   LobeOptions options;
@@ -34,10 +36,12 @@ struct LobesArguments {
 };
 
 LungModel openedCt(const LobesArguments& arguments, const Progress& progress) {
-  CtFile file = readCt(arguments.ct, {}, progress.part(0.0, 0.8, "reading the CT"));
+  CtFile file = readCt(arguments.ct, arguments.corrections,
+                       progress.part(0.0, 0.8, "reading the CT"), arguments.series);
   if (arguments.snap) requireThinSlices(file.image);
   const InputFile input = ctInput(arguments.ct, file, progress.part(0.8, 1.0, "hashing"));
-  LungModel model = modelOf(std::move(file), {arguments.ct, {}, {}, 0, {}});
+  LungModel model = modelOf(std::move(file),
+                            {arguments.ct, arguments.corrections, arguments.series.wanted, 0, {}});
   model.inputs = {input};
   return model;
 }
@@ -137,6 +141,11 @@ Run declareLobes(CLI::App& app, CommonOptions& common) {
                  "The CT of these lungs, of slices up to 1.5 mm: tells how much of each fissure "
                  "shows.")
       ->type_name("CT");
+  app.add_option("--series", arguments->series.wanted,
+                 "The series of --ct to take: its place in the list of 'pneuma info', or its UID; "
+                 "else the best.")
+      ->type_name("N|UID");
+  addCorrections(app, arguments->corrections);
   app.add_option("--labels", arguments->labels,
                  "Labels of the lungs in the CT, 10 right, 20 left; else they are found.")
       ->type_name("FILE");

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <charconv>
 
+#include "core/error.h"
+#include "render/display.h"
 #include "render/picture.h"
 
 namespace pneuma::cli {
@@ -63,10 +65,12 @@ SceneOptions sceneOptions(const PictureArguments& arguments) {
 }
 
 void requireDisplay() {
-  if (canRender()) return;
+  const std::string problem = displayProblem();
+  if (problem.empty()) return;
   throw NoRendering(
-      "there is no display to render with; put 'xvfb-run -a' before the command, or start it where "
-      "DISPLAY is set");
+      problem +
+      ", so no picture can be made; put 'xvfb-run -a' before the command, or start it "
+      "where a display draws OpenGL 3.2 (LIBGL_ALWAYS_SOFTWARE=1 may help)");
 }
 
 }  // namespace pneuma::cli

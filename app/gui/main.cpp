@@ -1,4 +1,5 @@
 #include <QCommandLineParser>
+#include <QScreen>
 #include <QSettings>
 #include <QTimer>
 #include <cstdio>
@@ -107,7 +108,8 @@ int runWindow(const CommandLine& line) {
     lost = Recovery::lostWork(kept);
     recovery = std::make_unique<Recovery>(window.document(), kept);
   }
-  window.resize(1600, 1000);
+  // Not larger than the screen, whose pixels may be scaled.
+  window.resize(QSize(1600, 1000).boundedTo(window.screen()->availableSize()));
   window.show();
   std::vector<std::filesystem::path> files;
   for (const QString& file : line.parser.positionalArguments())

@@ -1,6 +1,7 @@
 #include "scripting.h"
 
 #include <QAbstractButton>
+#include <QAbstractItemView>
 #include <QAbstractSlider>
 #include <QAction>
 #include <QApplication>
@@ -215,6 +216,8 @@ void ScriptPlayer::set(const QJsonObject& step) const {
   } else if (auto* button = qobject_cast<QAbstractButton*>(target)) {
     if (!button->isCheckable()) fail(QStringLiteral("this button has no value, only a click"));
     button->setChecked(value.toBool());
+  } else if (auto* table = qobject_cast<QAbstractItemView*>(target)) {
+    table->setCurrentIndex(table->model()->index(value.toInt(), 1));
   } else if (auto* line = qobject_cast<QLineEdit*>(target)) {
     line->setText(expanded(value.toString()));
   } else {

@@ -78,7 +78,9 @@ void requireHu(const CtFile& file, const fs::path& path) {
 
 CtFile readDicom(const fs::path& path, const CtCorrections& corrections, const Progress& progress,
                  const SeriesChoice& choice) {
-  std::vector<DicomSeries> all = listDicomSeries(path, progress.part(0.0, 0.1, "reading headers"));
+  std::vector<DicomSeries> all =
+      choice.listed ? *choice.listed
+                    : listDicomSeries(path, progress.part(0.0, 0.1, "reading headers"));
   const DicomSeries& series = chosenSeries(all, choice);
   CtFile file;
   file.format = "DICOM";

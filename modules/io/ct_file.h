@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -46,6 +47,8 @@ bool isCtPath(const std::filesystem::path& path);
 /// Which series of several; the best one unless said otherwise.
 struct SeriesChoice {
   std::string wanted;  ///< place in the list from 1 ("2"), or SeriesInstanceUID; "": the best
+  /// What listDicomSeries() found at the path already; null: it is looked for.
+  std::shared_ptr<const std::vector<DicomSeries>> listed = nullptr;
 };
 
 /// The series of a list that is wanted.

@@ -12,7 +12,8 @@ std::vector<std::filesystem::path> ctInputFiles(const std::filesystem::path& pat
     const std::filesystem::path data = readVolumeHeader(path).dataFile;
     return data == path ? std::vector{path} : std::vector{path, data};
   }
-  const std::vector<DicomSeries> all = listDicomSeries(path, progress);
+  const std::vector<DicomSeries> all =
+      choice.listed ? *choice.listed : listDicomSeries(path, progress);
   const DicomSeries& series = chosenSeries(all, choice);
   if (series.extracted) return {path};
   std::set<std::filesystem::path> files;

@@ -122,6 +122,15 @@ CtImage readDicomSeries(const DicomSeries& series, const CtCorrections& correcti
 /// Throws what readDicomSeries would throw before it reads a pixel.
 void requireReadable(const DicomSeries& series, const CtCorrections& corrections);
 
+/// Why the series cannot be read, as requireReadable() says it; empty if it can be.
+std::string obstacleOf(const DicomSeries& series, const CtCorrections& corrections = {});
+
+/// One slice as an image by itself, for whoever wants to see what a series shows: also of one that
+/// cannot be read as a volume, which then lies on axes and at pixels of 1 mm.
+/// @param slice in the order of series.slices
+/// @throws InvalidInput if its file is cut off, damaged, or another picture than the series' first
+CtImage readDicomSlice(const DicomSeries& series, std::size_t slice);
+
 /// `series 3 "Chest 5 mm"`
 std::string titleOf(const DicomSeries& series);
 

@@ -103,6 +103,28 @@ void requireReadable(const DicomSeries& series, const CtCorrections& corrections
   requireMemory(series.memoryBytes, titleOf(series));
 }
 
+std::string obstacleOf(const DicomSeries& series, const CtCorrections& corrections) {
+  try {
+    requireReadable(series, corrections);
+    return {};
+  } catch (const Error& error) {
+    return error.what();
+  }
+}
+
+CtImage readDicomSlice(const DicomSeries& series, std::size_t slice) {
+  CtImage image;
+  image.geometry = series.geometry;
+  if (series.geometry.voxelCount() == 0) image.geometry = {};  // of a series that was refused
+  image.geometry.size = {series.columns, series.rows, 1};
+  image.geometry.origin = series.slices[slice].position;
+  image.voxels.resize(image.geometry.voxelCount());
+  const SliceTarget target{&series.slices[slice], image.voxels.data()};
+  const std::string fault = readSlices(series, {&target, 1});
+  if (!fault.empty()) throw InvalidInput(quotedName(series.slices[slice].name) + " " + fault);
+  return image;
+}
+
 CtImage readDicomSeries(const DicomSeries& series, const CtCorrections& corrections,
                         const Progress& progress) {
   requireValid(corrections);

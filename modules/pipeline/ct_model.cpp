@@ -36,8 +36,9 @@ LungModel modelOf(CtFile file, CtSource source) {
 }
 
 LungModel openCt(const std::filesystem::path& path, const CtCorrections& corrections,
-                 const Progress& progress) {
-  return modelOf(readCt(path, corrections, progress), {path, corrections, {}, 0, {}});
+                 const Progress& progress, const SeriesChoice& choice) {
+  return modelOf(readCt(path, corrections, progress, choice),
+                 {path, corrections, choice.wanted, 0, {}});
 }
 
 LungModel withCt(const LungModel& model, const LungModel& ct, const std::filesystem::path& labels,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 
 #include "io/ct_file.h"
 #include "pipeline/lung_model.h"
@@ -11,7 +12,18 @@ namespace pneuma {
 /// A model with a CT and what was noticed while reading it.
 /// @throws as readCt()
 LungModel openCt(const std::filesystem::path& path, const CtCorrections& corrections = {},
-                 const Progress& progress = {});
+                 const Progress& progress = {}, const SeriesChoice& choice = {});
+
+/// How openFiles() reads a CT.
+struct CtReading {
+  CtCorrections corrections;
+  SeriesChoice series;
+};
+
+/// What a person drops on the window, with a CT read as is said.
+/// @throws as openFiles()
+LungModel openFiles(std::span<const std::filesystem::path> paths, const CtReading& reading,
+                    const Progress& progress = {});
 
 /// What was read, for a report: a file's hash, or one over the hashes of a series' files in the
 /// order of its slices. Every byte is read once more. @throws InputMissing, Cancelled

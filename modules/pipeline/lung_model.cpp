@@ -132,9 +132,10 @@ bool isLabelFile(const fs::path& path) {
   return isVolumeFile(path) && readVolumeHeader(path).scalarType == "uint8";
 }
 
-void addCt(LungModel& model, const fs::path& path, const Progress& progress) {
+void addCt(LungModel& model, const fs::path& path, const CtReading& reading,
+           const Progress& progress) {
   const auto start = std::chrono::steady_clock::now();
-  const LungModel read = openCt(path, {}, progress);
+  const LungModel read = openCt(path, reading.corrections, progress, reading.series);
   model.ct = read.ct;
   model.ctSource = read.ctSource;
   model.inputs.insert(model.inputs.end(), read.inputs.begin(), read.inputs.end());
@@ -263,6 +264,11 @@ LungModel withLabels(const LungModel& model, const fs::path& path, const Progres
 }
 
 LungModel openFiles(std::span<const fs::path> paths, const Progress& progress) {
+  return openFiles(paths, CtReading{}, progress);
+}
+
+LungModel openFiles(std::span<const fs::path> paths, const CtReading& reading,
+                    const Progress& progress) {
   if (std::ranges::any_of(paths, isProjectFileName)) return modelOfProject(paths, progress);
   std::vector<fs::path> surfaces;
   std::vector<fs::path> trees;
@@ -289,7 +295,9 @@ LungModel openFiles(std::span<const fs::path> paths, const Progress& progress) {
   }
   LungModel model;
   if (!surfaces.empty()) model = openLobes(surfaces, progress.part(0.0, 0.5, "reading surfaces"));
-  for (const fs::path& path : cts) addCt(model, path, progress.part(0.5, 0.8, "reading the CT"));
+  for (const fs::path& path : cts) {
+    addCt(model, path, reading, progress.part(0.5, 0.8, "reading the CT"));
+  }
   for (const fs::path& path : labels) {
     addLabels(model, path, progress.part(0.8, 0.9, "reading labels"));
   }

@@ -96,6 +96,9 @@ refuses "surfaces with too long a name" 6 'name is too long' segment sound --sur
 refuses "a CT with too long a name" 3 'too long; check its name' info "$longName.nrrd"
 refuses "a folder with too long a name" 3 'too long; check' import "$longName" -o x.nrrd
 refuses "a series that is not there" 2 "no series '3'" import two -o x.nrrd --series 3
+succeeds "info of the second series" info two --series 2
+prints '12 x 10 x 5 voxels'
+refuses "info of a series that is not there" 2 "no series '3'" info two --series 3
 refuses "an unknown format" 5 'nii.gz' import sound -o x.png
 refuses "an output that is there" 6 'exists already' import sound -o ct.nrrd
 refuses "no folder" 3 'nowhere' import nowhere -o x.nrrd

@@ -1,4 +1,5 @@
-// make_dicom FOLDER [gap|tilt|mr|uneven|two|head|far]: a small CT series, spoilt in one way.
+// make_dicom FOLDER [gap|tilt|mr|uneven|two|head|far|odd]: a small CT series, spoilt in one way; or
+// odd ones.
 #include <cstdio>
 #include <string>
 
@@ -10,11 +11,15 @@ using pneuma::testing::SeriesSpec;
 
 int main(int argc, char** argv) {
   if (argc < 2) {
-    std::fputs("usage: make_dicom FOLDER [gap|tilt|mr|uneven|two|head|far]\n", stderr);
+    std::fputs("usage: make_dicom FOLDER [gap|tilt|mr|uneven|two|head|far|odd]\n", stderr);
     return 2;
   }
   const std::string folder = argv[1];
   const std::string way = argc > 2 ? argv[2] : "";
+  if (way == "odd") {
+    pneuma::testing::writeOddSeries(folder);
+    return 0;
+  }
   SeriesSpec spec;
   spec.slices = 20;
   if (way == "far") spec.step = Vec3(0.0, 0.0, 1e200);

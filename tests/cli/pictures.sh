@@ -52,6 +52,7 @@ refuses "eyes in one place" 2 "eye-distance" render lobes -o x.png --stereo cros
 
 DISPLAY= refuses "no display" 10 "xvfb-run" render tree.vtp -o x.png
 DISPLAY=:9999 refuses "a display that does not answer" 10 "xvfb-run" render tree.vtp -o x.png
+MESA_GL_VERSION_OVERRIDE=2.1 refuses "an OpenGL that is too old" 10 "no OpenGL 3.2.*xvfb-run" render tree.vtp -o x.png
 DISPLAY= refuses "no display for the figures" 10 "xvfb-run" reproduce huang-2004 --pictures figures
 
 succeeds "the figures of a paper" reproduce huang-2004 --pictures figures

@@ -322,4 +322,37 @@ void writeSeries(const std::filesystem::path& folder, const SeriesSpec& spec) {
   }
 }
 
+void writeOddSeries(const std::filesystem::path& folder) {
+  const auto write = [&](const char* name, int number, int slices, auto change) {
+    SeriesSpec spec;
+    spec.slices = slices;
+    spec.columns = spec.rows = 32;
+    spec.pixelMm = 10.0;
+    spec.origin = Vec3(-160.0, -160.0, 0.0);
+    spec.step = Vec3(0.0, 0.0, 10.0);
+    spec.hu = [](const Vec3& p) { return p.head<2>().norm() < 100.0 ? -850.0 : 40.0; };
+    spec.uid = "1.2.826.0.1.3680043.9.7." + std::to_string(number);
+    spec.change = [=](DicomMaker& maker, int k) {
+      maker.setText(0x0008103E, "LO", name);
+      maker.setText(0x00200011, "IS", std::to_string(number));
+      return change(maker, k);
+    };
+    writeSeries(folder / name, spec);
+  };
+  write("Scout", 1, 1, [](DicomMaker& maker, int) {
+    maker.setText(0x00080008, "CS", "ORIGINAL\\PRIMARY\\LOCALIZER");
+    return true;
+  });
+  write("Heart MR", 2, 20, [](DicomMaker& maker, int) {
+    maker.setText(0x00080060, "CS", "MR");
+    return true;
+  });
+  write("Head", 3, 20, [](DicomMaker& maker, int) {
+    maker.setText(0x00180015, "CS", "HEAD");
+    return true;
+  });
+  write("Chest, gaps", 4, 20, [](DicomMaker&, int k) { return k != 7 && k != 8; });
+  write("Single", 5, 1, [](DicomMaker&, int) { return true; });
+}
+
 }  // namespace pneuma::testing

@@ -92,4 +92,9 @@ struct SeriesSpec {
 
 void writeSeries(const std::filesystem::path& folder, const SeriesSpec& spec);
 
+/// What lies beside a chest CT in a folder of a hospital, and in it: an overview of one picture, an
+/// MR, a head, a series with two slices missing out of 20, and one of a single slice. Each has a
+/// folder and a UID of its own; people's names are in all of them.
+void writeOddSeries(const std::filesystem::path& folder);
+
 }  // namespace pneuma::testing

@@ -20,67 +20,6 @@ namespace {
 
 constexpr std::size_t UndoSteps = MostSavedSteps;  ///< what is there is saved, too
 
-QString nameOf(const LungModel& model) {
-  if (model.inputs.empty()) return {};
-  const QString first = fileNameOf(model.inputs.front().path);
-  const std::size_t others = model.inputs.size() - 1;
-  return others == 0 ? first : QStringLiteral("%1 and %2 more").arg(first).arg(others);
-}
-
-/// What was said and taken of `read` told after what was of `open`.
-void addRecord(LungModel& both, const LungModel& read) {
-  both.inputs.insert(both.inputs.end(), read.inputs.begin(), read.inputs.end());
-  both.warnings.insert(both.warnings.end(), read.warnings.begin(), read.warnings.end());
-  both.readSeconds += read.readSeconds;
-}
-
-/// `read` put together with what is open, where the one has what the other lacks.
-LungModel joined(const LungModel& open, LungModel read) {
-  const bool images = read.ct || read.labels;
-  const bool treeOnly = !images && !read.surfaces && (read.central || read.opened);
-  const bool lobesOnly = !images && read.surfaces && !read.central && !read.opened;
-  if (read.labels && !read.ct) {
-    LungModel both = open;
-    both.labels = read.labels;
-    both.lungs = nullptr;
-    both.corrections = nullptr;
-    if (!open.ct) {
-      throw InvalidInput("these are labels, not a CT; open the CT that they belong to first");
-    }
-    requireSamePlace(both);
-    addRecord(both, read);
-    return both;
-  }
-  if (treeOnly && (open.surfaces || open.ct)) {
-    LungModel both = open;
-    both.growth = nullptr;
-    if (read.central) {
-      both.central = read.central;
-      both.opened = nullptr;
-    } else {
-      both.opened = read.opened;
-    }
-    addRecord(both, read);
-    return both;
-  }
-  // A built-in organ's airways lead into the organ, not into a person's lobes.
-  const bool keepsAirways = lobesOnly && !open.surfaces && !open.regions && open.central;
-  const bool keepsCt = lobesOnly && open.ct;
-  if (keepsAirways) read.central = open.central;
-  if (keepsCt) {
-    read.ct = open.ct;
-    read.ctSource = open.ctSource;
-    read.labels = open.labels;
-    read.lungs = open.lungs;
-    read.corrections = open.corrections;
-  }
-  if (keepsAirways || keepsCt) {
-    read.inputs.insert(read.inputs.begin(), open.inputs.begin(), open.inputs.end());
-    read.warnings.insert(read.warnings.begin(), open.warnings.begin(), open.warnings.end());
-  }
-  return read;
-}
-
 /// False if they are of two cases, as far as anybody can tell.
 bool sharesAnything(const LungModel& a, const LungModel& b) {
   const auto same = [](const auto& x, const auto& y) { return x && x == y; };
@@ -88,18 +27,6 @@ bool sharesAnything(const LungModel& a, const LungModel& b) {
          same(a.wholeLungs, b.surfaces) || same(a.surfaces, b.wholeLungs) ||
          same(a.wholeLungs, b.wholeLungs) || same(a.labels, b.labels) ||
          same(a.central, b.central) || same(a.opened, b.opened) || same(a.regions, b.regions);
-}
-
-QString whatWasRead(const LungModel& model) {
-  QStringList parts;
-  if (model.ct) parts << QStringLiteral("a CT of %1 voxels").arg(sizeText(model.ct->geometry));
-  if (model.labels && !model.ct) parts << QStringLiteral("labels");
-  if (model.surfaces) parts << counted(model.surfaces->size(), "surface", "surfaces");
-  if (!model.surfaces && model.regions) {
-    parts << counted(model.regions->size(), "region", "regions");
-  }
-  if (const auto tree = treeOf(model)) parts << counted(tree->size(), "branch", "branches");
-  return parts.join(QStringLiteral(" and "));
 }
 
 /// A moment to go back to needs no labels that its corrections make again.
@@ -132,6 +59,7 @@ Document::Document(QObject* parent) : QObject(parent) {
     breathing_ = false;
     followingLungs_ = false;
     correctingLungs_ = false;
+    drawingSeries_ = false;
   });
   // Whether something can be undone depends on the queue being idle.
   connect(&jobs_, &JobQueue::busyChanged, this, &Document::changed);
@@ -159,22 +87,25 @@ bool Document::canGrow() const {
 
 void Document::open(std::vector<std::filesystem::path> paths) {
   touched_ = paths;
+  stopDrawing();
   if (paths.size() == 1 && isProjectFileName(paths.front())) {
     openProject(paths.front(), Opened::AsSaved);
     return;
   }
-  jobs_.push(
-      tr("Opening"), [this, paths = std::move(paths), open = snapshot_](const Progress& progress) {
-        LungModel model = joined(open.model, openFiles(paths, progress.part(0.0, 0.95, "reading")));
-        const QString name = nameOf(model);
-        Snapshot next = nextSnapshot(open, std::move(model));
-        next.name = name;
-        return JobQueue::Continuation([this, next = std::move(next)] {
-          emit said(tr("Opened %1").arg(whatWasRead(next.model)));
-          become(next, tr("open"), StepKind::Opening);
-          if (next.model.ct && !next.model.labels) findLungs(StepKind::Opening);
-        });
-      });
+  jobs_.push(tr("Opening"),
+             [this, paths = std::move(paths), open = snapshot_](const Progress& progress) {
+               CtReading reading;
+               if (const std::filesystem::path* place = dicomPlace(paths)) {
+                 SeriesList list = seriesList(
+                     paths, listDicomSeries(*place, progress.part(0.0, 0.2, "reading headers")));
+                 if (list.toBeChosen()) {
+                   return JobQueue::Continuation(
+                       [this, list = std::move(list)] { emit seriesToChoose(list); });
+                 }
+                 reading.series.listed = list.series;
+               }
+               return readFiles(paths, reading, open, progress.part(0.2, 1.0, "reading"));
+             });
 }
 
 void Document::openSample() {

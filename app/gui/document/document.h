@@ -11,11 +11,13 @@
 #include <vector>
 
 #include "document/job_queue.h"
+#include "document/series_list.h"
 #include "document/snapshot.h"
 #include "growth/growth.h"
 #include "pipeline/breathe.h"
 #include "pipeline/case_export.h"
 #include "pipeline/case_report.h"
+#include "pipeline/ct_model.h"
 #include "pipeline/project.h"
 
 namespace pneuma {
@@ -123,6 +125,32 @@ class Document : public QObject {
   /// labels to the CT; otherwise what was read replaces what was there. Can be undone. In a CT
   /// without labels the lungs are looked for at once.
   void open(std::vector<std::filesystem::path> paths);
+
+  /// Opens a series of a list, in place of what was read of it before. Can be undone.
+  /// @param row that can be opened
+  /// @param fillGaps where slices are missing, they are interpolated
+  void openSeries(const SeriesList& list, int row, bool fillGaps);
+
+  /// Lists the series where the CT that is open comes from, for another choice: seriesToChoose().
+  void listSeries();
+
+  /// True if the CT that is open comes from DICOM, which may hold other series.
+  bool hasOtherSeries() const;
+
+  /// Draws the series of a list one after the other: seriesDrawn().
+  void drawSeries(const SeriesList& list);
+
+  /// Gives up drawing series, if it does. Whatever is opened does that.
+  void stopDrawing();
+
+  bool drawingSeries() const { return drawingSeries_; }
+
+  /// True if the CT of the project was not where it was, or was another.
+  bool ctMissing() const { return snapshot_.model.ctSource && !snapshot_.model.ct; }
+
+  /// Gives the project its CT again, which is at another place now: ctFound(), or ctMissed() if it
+  /// is another one. Everything else stays as it is.
+  void locateCt(const std::filesystem::path& path);
 
   /// Opens the synthetic chest. Can be undone.
   void openSample();
@@ -279,6 +307,19 @@ class Document : public QObject {
   /// A project was opened in place of everything before. After changed().
   void projectWasOpened();
 
+  /// open() found several series, or one that is hardly of lungs, and leaves the choice.
+  void seriesToChoose(const pneuma::SeriesList& list);
+
+  /// A picture of a row of a list; without pixels if there is nothing to be seen.
+  void seriesDrawn(const pneuma::SeriesList& list, int row, const pneuma::Picture& picture);
+
+  /// Like failed(), and locateCt() may help.
+  void ctMissed(const QString& title, const QString& sentence);
+
+  /// The project has its CT again.
+  /// @param wasSaved nothing else was done since the project was saved
+  void ctFound(bool wasSaved);
+
   /// One sentence on what has just been done, for the status bar.
   void said(const QString& sentence);
 
@@ -315,14 +356,19 @@ class Document : public QObject {
                        const QString& what);
   /// Of a moment that is shown again: the labels that its corrections give.
   void restoreLabels();
+  /// Reads what open() reads, and shows it.
+  JobQueue::Continuation readFiles(const std::vector<std::filesystem::path>& paths,
+                                   const CtReading& reading, const Snapshot& open,
+                                   const Progress& progress);
   void become(Snapshot next, const QString& stepName, StepKind kind = StepKind::Work);
   /// Keeps the last steps to undo: 100, or as many as hold 512 MB beside what is shown.
   void forgetOldSteps();
   void openProject(const std::filesystem::path& path, Opened how);
   void showProject(Project project, const std::filesystem::path& path, Opened how);
-  /// Remembers the hash of the CT, which takes a while to find.
+  /// Remembers the hash of the CT, which takes a while to find, or where it was found again.
   void replaceSource(const std::shared_ptr<const CtSource>& before,
-                     const std::shared_ptr<const CtSource>& after);
+                     const std::shared_ptr<const CtSource>& after,
+                     const std::shared_ptr<const CtImage>& found = nullptr);
   /// @param stepName of the undo step; none for a part of the last one
   void split(const QString& stepName);
   /// Makes edits the ones to split with, and what follows them.
@@ -351,7 +397,8 @@ class Document : public QObject {
   bool followingLungs_ = false;
   bool correctingLungs_ = false;  ///< by a job
   int supersededFollowing_ = 0;   ///< jobs that are cancelled because there are newer corrections
-  bool superseded_ = false;       ///< the job that is cancelled makes way for the next
+  bool drawingSeries_ = false;
+  bool superseded_ = false;  ///< the job that is cancelled makes way for the next
   CtSheets sheets_;
   std::vector<Step> undo_;
   std::vector<Step> redo_;

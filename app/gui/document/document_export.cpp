@@ -6,6 +6,7 @@
 #include "document/text.h"
 #include "io/atomic_file.h"
 #include "pipeline/case_document.h"
+#include "render/picture.h"
 #include "views/case_pictures.h"
 
 // Writing what other programs and people read.
@@ -50,12 +51,15 @@ void Document::saveReport(const std::filesystem::path& path, const CaseReportOpt
     requireCaseDocumentName(path);
     const Json report = caseReport(project, options, progress.part(0.0, 0.7, "measuring"));
     std::vector<PagePicture> pictures;
-    if (hasPictures(path)) {
+    const bool drawn = canRender() || !hasPictures(path);
+    if (hasPictures(path) && drawn) {
       pictures = casePictures(project.state.model, progress.part(0.7, 1.0, "drawing"));
     }
     writeFile(path, caseDocument(path, report, pictures));
-    return JobQueue::Continuation([this, path, checks = report.at("checks").size()] {
-      emit said(tr("Saved %1: %2").arg(fileNameOf(path), counted(checks, "check", "checks")));
+    return JobQueue::Continuation([this, path, drawn, checks = report.at("checks").size()] {
+      const QString saved =
+          tr("Saved %1: %2").arg(fileNameOf(path), counted(checks, "check", "checks"));
+      emit said(drawn ? saved : tr("%1; without pictures, which need OpenGL 3.2").arg(saved));
     });
   });
 }

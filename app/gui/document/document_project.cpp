@@ -40,9 +40,12 @@ Project Document::projectNow(std::size_t historyBytes) const {
 }
 
 void Document::replaceSource(const std::shared_ptr<const CtSource>& before,
-                             const std::shared_ptr<const CtSource>& after) {
+                             const std::shared_ptr<const CtSource>& after,
+                             const std::shared_ptr<const CtImage>& found) {
   const auto replace = [&](LungModel& model) {
-    if (model.ctSource == before) model.ctSource = after;
+    if (model.ctSource != before) return;
+    model.ctSource = after;
+    if (found) model.ct = found;
   };
   replace(snapshot_.model);
   for (Step& step : undo_) replace(step.snapshot.model);
@@ -155,7 +158,13 @@ void Document::showProject(Project project, const std::filesystem::path& path, O
   if (project.notes.empty()) return;
   QStringList sentences;
   for (const std::string& note : project.notes) sentences << qtText(note);
-  emit failed(tr("Open the project"), sentences.join(QLatin1Char(' ')));
+  const QString title = tr("Open the project");
+  const QString all = sentences.join(QLatin1Char(' '));
+  if (ctMissing()) {
+    emit ctMissed(title, all);
+  } else {
+    emit failed(title, all);
+  }
 }
 
 }  // namespace pneuma

@@ -222,12 +222,15 @@ PropertySheet filesSheet(const Snapshot& snapshot) {
   if (model.ct) {
     const ImageGeometry& geometry = model.ct->geometry;
     sheet.rows.push_back({QStringLiteral("CT"), sizeText(geometry), Kind::Good});
-    sheet.rows.push_back({QStringLiteral("Voxels"), QStringLiteral("%1 × %2 × %3 mm")
-                                                        .arg(geometry.spacing.x(), 0, 'f', 2)
-                                                        .arg(geometry.spacing.y(), 0, 'f', 2)
-                                                        .arg(geometry.spacing.z(), 0, 'f', 2)});
+    sheet.rows.push_back({QStringLiteral("Voxel, mm"), QStringLiteral("%1×%2×%3")
+                                                           .arg(geometry.spacing.x(), 0, 'f', 2)
+                                                           .arg(geometry.spacing.y(), 0, 'f', 2)
+                                                           .arg(geometry.spacing.z(), 0, 'f', 2)});
     sheet.rows.push_back({QStringLiteral("Memory"),
                           withUnit(static_cast<double>(2 * geometry.voxelCount()) / 1e6, 0, "MB")});
+  }
+  if (model.ctSource && !model.ct) {
+    sheet.rows.push_back({QObject::tr("CT: not found where it was"), {}, Kind::Look});
   }
   if (model.labels) sheet.rows.push_back({QStringLiteral("Labels"), {}, Kind::Good});
   if (model.surfaces) {

@@ -116,13 +116,19 @@ std::vector<std::string> filesOf(const std::vector<LobeSurface>& surfaces,
   return files;
 }
 
+/// Which series of the CT, and how it is put right.
+void addReading(Line& line, const CtSource& ct) {
+  if (!ct.series.empty()) line.option("series", ct.series);
+  line.options(ct.corrections);
+}
+
 /// Finds the lungs of a CT, corrected by hand where they are.
 QStringList segmentLines(const CtSource& ct, const LungOptions& options, bool corrected) {
   QStringList lines;
   Line line("segment");
   line.file(ct.path.string());
-  if (!ct.series.empty()) line.option("series", ct.series);
-  line.options(ct.corrections).options(options);
+  addReading(line, ct);
+  line.options(options);
   if (corrected) {
     lines << QObject::tr("# %1 holds the corrections by hand: File, Save lung corrections")
                  .arg(QString::fromUtf8(LungEditsName));
@@ -145,7 +151,9 @@ void addLobes(Source& source, const LungModel& model, const LobeEdits& edits) {
     line.option("fractions", shares);
   }
   if (model.ct && model.ctSource && model.lungs) {
-    line.option("ct", model.ctSource->path.string()).option("labels", LabelsName);
+    line.option("ct", model.ctSource->path.string());
+    addReading(line, *model.ctSource);
+    line.option("labels", LabelsName);
     if (edits.snap) line.add("--snap");
   }
   source.lines << line.options(edits.options).output(LobesFolder);
@@ -245,7 +253,13 @@ ShellCommand openCommand(const Document& document) {
   for (const InputFile& input : model.inputs) {
     if (std::ranges::find(files, input.path) == files.end()) files.push_back(input.path);
   }
-  if (!files.empty()) return {{line.files(files).text()}, {}};
+  if (!files.empty()) {
+    line.files(files);
+    if (model.ctSource && !model.ctSource->series.empty()) {
+      line.option("series", model.ctSource->series);
+    }
+    return {{line.text()}, {}};
+  }
   if (!model.organ.empty()) {
     return refused(QObject::tr("A built-in organ is no file: the step Airways names it."));
   }

@@ -87,6 +87,18 @@ double lungVolumeMl(const LungModel& model) {
   return sum;
 }
 
+QString whatWasRead(const LungModel& model) {
+  QStringList parts;
+  if (model.ct) parts << QStringLiteral("a CT of %1 voxels").arg(sizeText(model.ct->geometry));
+  if (model.labels && !model.ct) parts << QStringLiteral("labels");
+  if (model.surfaces) parts << counted(model.surfaces->size(), "surface", "surfaces");
+  if (!model.surfaces && model.regions) {
+    parts << counted(model.regions->size(), "region", "regions");
+  }
+  if (const auto tree = treeOf(model)) parts << counted(tree->size(), "branch", "branches");
+  return parts.join(QStringLiteral(" and "));
+}
+
 std::vector<QString> warningsOf(const Snapshot& snapshot) {
   std::vector<QString> warnings;
   for (const auto& sentence : snapshot.model.warnings) warnings.push_back(qtText(sentence));

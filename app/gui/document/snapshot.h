@@ -52,6 +52,9 @@ Snapshot nextSnapshot(const Snapshot& before, LungModel model);
 /// Sum of the closed surfaces' volumes, ml.
 double lungVolumeMl(const LungModel& model);
 
+/// "a CT of 512 × 512 × 133 voxels and 5 surfaces"
+QString whatWasRead(const LungModel& model);
+
 /// What a person should look at: warnings of reading and growing, and failed checks of the tree.
 std::vector<QString> warningsOf(const Snapshot& snapshot);
 

@@ -81,6 +81,8 @@ Actions makeActions(QWidget* window) {
   a.open = action(window, "actionOpen", tr("&Open files..."), {keys("Ctrl+O")}, "file");
   a.openFolder =
       action(window, "actionOpenFolder", tr("Open &folder..."), {keys("Ctrl+Shift+O")}, "folder");
+  a.otherSeries = action(window, "actionOtherSeries", tr("Oth&er series..."));
+  a.locateCt = action(window, "actionLocateCt", tr("&Locate the CT..."));
   a.sample = action(window, "actionSample", tr("&Try the sample chest"), {}, "lungs");
   for (const std::string_view name : organNames()) {
     const std::string objectName = "actionOrgan_" + std::string(name);
@@ -135,6 +137,9 @@ Actions makeActions(QWidget* window) {
   a.resetView = action(window, "actionResetView", tr("&Frame everything"), {}, "frame");
   a.stereo = new StereoMenu(window);
   a.slices = makeSliceActions(window);
+  a.rightColumn = action(window, "actionRightColumn", tr("Structures and &properties"));
+  a.rightColumn->setCheckable(true);
+  a.rightColumn->setChecked(true);
   a.theme = action(window, "actionTheme", tr("&Light theme"), {});
   a.theme->setCheckable(true);
   a.size = new SizeMenu(window);
@@ -155,6 +160,8 @@ void fillMenus(QMenuBar& bar, const Actions& a) {
   file->addMenu(organMenu(a, file));
   QMenu* recent = file->addMenu(QObject::tr("Open &recent"));
   for (QAction* project : a.recents) recent->addAction(project);
+  file->addSeparator();
+  file->addActions({a.otherSeries, a.locateCt});
   file->addSeparator();
   file->addActions({a.saveProject, a.saveProjectAs, a.packCt});
   file->addSeparator();
@@ -181,7 +188,7 @@ void fillMenus(QMenuBar& bar, const Actions& a) {
   view->addSeparator();
   view->addAction(a.resetView);
   view->addMenu(a.stereo);
-  view->addActions({a.playBreath, a.onionSkin, a.theme});
+  view->addActions({a.playBreath, a.onionSkin, a.rightColumn, a.theme});
   view->addMenu(a.size);
   fillSliceMenu(*bar.addMenu(QObject::tr("&Slices")), a.slices);
   QMenu* help = bar.addMenu(QObject::tr("&Help"));

@@ -29,6 +29,8 @@ inline constexpr int RecentProjects = 8;
 struct Actions {
   QAction* open = nullptr;
   QAction* openFolder = nullptr;
+  QAction* otherSeries = nullptr;
+  QAction* locateCt = nullptr;
   QAction* sample = nullptr;
   std::vector<QAction*> organs;  ///< one for each of organNames(), which is its data()
   QAction* saveProject = nullptr;
@@ -72,6 +74,7 @@ struct Actions {
   QAction* resetView = nullptr;
   StereoMenu* stereo = nullptr;
   SliceActions slices;
+  QAction* rightColumn = nullptr;  ///< checkable: structures and properties are shown
   QAction* theme = nullptr;
   SizeMenu* size = nullptr;
   QAction* keys = nullptr;

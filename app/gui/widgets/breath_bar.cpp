@@ -14,6 +14,7 @@
 #include "document/text.h"
 #include "widgets/actions.h"
 #include "widgets/icons.h"
+#include "widgets/room.h"
 
 namespace pneuma {
 
@@ -43,6 +44,7 @@ BreathBar::BreathBar(BreathPlayer& player, const Actions& actions, QWidget* pare
   phase_->setAccessibleName(tr("Moment of the breath"));
   phase_->setToolTip(tr("Moment of the breath (, and . go by one frame)"));
   phase_->setRange(0, Steps - 1);
+  phase_->setMinimumWidth(80);
   moment_ = new QLabel;
   moment_->setObjectName(QStringLiteral("breathMoment"));
   moment_->setMinimumWidth(
@@ -74,6 +76,10 @@ BreathBar::BreathBar(BreathPlayer& player, const Actions& actions, QWidget* pare
   row->addSpacing(4);
   row->addWidget(label);
   row->addWidget(colour_);
+
+  hideWhenNarrow(this, {label}, 760);
+  hideWhenNarrow(this, {onionSkin}, 660);
+  hideWhenNarrow(this, {speed_, colour_}, 620);
 
   connect(phase_, &QSlider::valueChanged, this, [this](int step) {
     player_.setPlaying(false);

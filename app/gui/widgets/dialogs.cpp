@@ -75,6 +75,14 @@ void askForFolder(QWidget* parent, std::function<void(const QString&)> chosen) {
   dialog->open();
 }
 
+void askForCt(QWidget* parent, bool folder, std::function<void(const QString&)> chosen) {
+  auto* dialog =
+      fileDialog(parent, QObject::tr("Where the CT of the project is now"), "locateDialog");
+  dialog->setFileMode(folder ? QFileDialog::Directory : QFileDialog::ExistingFile);
+  QObject::connect(dialog, &QFileDialog::fileSelected, parent, std::move(chosen));
+  dialog->open();
+}
+
 void askForExportFolder(QWidget* parent, std::function<void(const QString&)> chosen) {
   auto* dialog = fileDialog(parent, QObject::tr("The folder to export into"), "exportDialog");
   dialog->setFileMode(QFileDialog::Directory);

@@ -17,6 +17,10 @@ void askForFile(QWidget* parent, const QString& title, const QStringList& filter
 
 void askForFolder(QWidget* parent, std::function<void(const QString&)> chosen);
 
+/// The CT of a project, which moved.
+/// @param folder that it was one, of slices
+void askForCt(QWidget* parent, bool folder, std::function<void(const QString&)> chosen);
+
 /// A folder that is there, or is made in the dialog, to export into.
 void askForExportFolder(QWidget* parent, std::function<void(const QString&)> chosen);
 

@@ -1,5 +1,6 @@
 #include "widgets/error_card.h"
 
+#include <QAction>
 #include <QApplication>
 #include <QClipboard>
 #include <QEvent>
@@ -7,6 +8,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
+#include <QVariant>
 #include <algorithm>
 
 #include "document/text.h"
@@ -38,7 +40,12 @@ ErrorCard::ErrorCard(QWidget* parent) : QFrame(parent) {
   copy_->setObjectName(QStringLiteral("errorCopy"));
   auto* dismiss = new QPushButton(tr("Close"));
   dismiss->setObjectName(QStringLiteral("errorClose"));
+  help_ = new QPushButton;
+  help_->setObjectName(QStringLiteral("errorHelp"));
+  help_->setProperty("role", "primary");
+  help_->setAccessibleName(tr("What helps"));
   buttons->addStretch();
+  buttons->addWidget(help_);
   buttons->addWidget(copy_);
   buttons->addWidget(dismiss);
   column->addWidget(title_);
@@ -48,11 +55,25 @@ ErrorCard::ErrorCard(QWidget* parent) : QFrame(parent) {
   connect(copy_, &QPushButton::clicked, this, [this] {
     QApplication::clipboard()->setText(title_->text() + QStringLiteral(": ") + sentence_->text());
   });
+  connect(help_, &QPushButton::clicked, this, [this] {
+    if (action_ != nullptr) action_->trigger();
+  });
   parent->installEventFilter(this);
   hide();
 }
 
+void ErrorCard::show(const QString& title, const QString& sentence, QAction& help) {
+  show(title, sentence);
+  action_ = &help;
+  help_->setText(help.text().remove(QLatin1Char('&')));
+  help_->setAccessibleName(help_->text());
+  help_->show();
+  place();
+}
+
 void ErrorCard::show(const QString& title, const QString& sentence) {
+  action_ = nullptr;
+  help_->hide();
   title_->setText(title);
   sentence_->setText(capitalised(sentence.toStdString()));
   setAccessibleName(tr("Problem: %1").arg(title));

@@ -2,6 +2,7 @@
 
 #include <QFrame>
 
+class QAction;
 class QLabel;
 class QPushButton;
 
@@ -17,12 +18,17 @@ class ErrorCard : public QFrame {
 
   void show(const QString& title, const QString& sentence);
 
+  /// The same with a button for what helps.
+  void show(const QString& title, const QString& sentence, QAction& help);
+
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   void place();
 
+  QAction* action_ = nullptr;  ///< of help_
+  QPushButton* help_;
   QLabel* title_;
   QLabel* sentence_;
   QPushButton* copy_;

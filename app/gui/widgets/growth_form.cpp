@@ -60,7 +60,7 @@ QWidget* GrowthForm::makeLinks() {
   auto* links = new QWidget;
   auto* row = new QHBoxLayout(links);
   row->setContentsMargins(0, 0, 0, 0);
-  row->setSpacing(8);
+  row->setSpacing(6);
   auto* advanced = link({}, "advanced", tr("Every other option of this method"));
   advanced->setCheckable(true);
   row->addWidget(advanced);

@@ -19,6 +19,7 @@
 #include "widgets/efficiency_card.h"
 #include "widgets/growth_form.h"
 #include "widgets/heading.h"
+#include "widgets/scrolled.h"
 
 namespace pneuma {
 
@@ -28,6 +29,8 @@ constexpr int TabsInARow = 2;
 
 /// A lower panel has no room for the advanced options and the efficiency functions.
 constexpr int HeightForBoth = 560;
+
+constexpr int LowestForm = 72;
 
 /// As high as what it holds where there is room, so that the buttons follow the form.
 class FittingScrollArea : public QScrollArea {
@@ -39,6 +42,7 @@ class FittingScrollArea : public QScrollArea {
     setFrameShape(QFrame::NoFrame);
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
+    setMinimumHeight(LowestForm);  // in a lower panel all of it scrolls
   }
 
   QSize sizeHint() const override { return widget()->sizeHint(); }
@@ -54,7 +58,9 @@ class FittingScrollArea : public QScrollArea {
 
 GrowthPanel::GrowthPanel(Document& document, const Actions& actions, QWidget* parent)
     : QWidget(parent), document_(document) {
-  auto* column = new QVBoxLayout(this);
+  auto* content = new QWidget;
+  fillScrolling(this, content);
+  auto* column = new QVBoxLayout(content);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(8);
   column->addWidget(heading(tr("Grow airways")));
@@ -84,7 +90,7 @@ QWidget* GrowthPanel::makeTabs() {
   frame->setProperty("role", "segmented");
   auto* grid = new QGridLayout(frame);
   grid->setContentsMargins(2, 2, 2, 2);
-  grid->setSpacing(1);
+  grid->setSpacing(0);
   tabs_ = new QButtonGroup(this);
   const int methods = static_cast<int>(growthMethods().size());
   for (const GrowthMethod& method : growthMethods()) {

@@ -120,7 +120,9 @@ void MainWindow::connectDocument() {
   connect(&document_, &Document::changed, this, &MainWindow::showSnapshot);
   connect(&document_, &Document::growthOptionsChanged, this, &MainWindow::updateSteps);
   connect(&document_, &Document::said, status_, &StatusStrip::say);
-  connect(&document_, &Document::failed, errorCard_, &ErrorCard::show);
+  connect(
+      &document_, &Document::failed, errorCard_,
+      [this](const QString& title, const QString& sentence) { errorCard_->show(title, sentence); });
   const JobQueue& jobs = document_.jobs();
   connect(&jobs, &JobQueue::progressed, this, &MainWindow::updateSteps);
   connect(&jobs, &JobQueue::placed, view_, &SceneView::addPreview);
@@ -179,6 +181,7 @@ void MainWindow::goTo(Step step) {
   if (step != LungsStep) lungsPanel_->endPreview();
   activateLungTools(step == LungsStep);
   if (!document_.jobs().busy()) document_.followLungs();
+  if (step != OpenStep) leaveSeries();
   fissureViews_->setActive(step == LobesStep);
   if (step != LobesStep) review_.stop();
   if (step != BreathingStep) regions_.setPlacing(RegionEditor::Placing::Nothing);
@@ -222,7 +225,7 @@ void MainWindow::showSnapshot() {
   }
   showTitle();
   showBreathing();
-  openPanel_->show(snapshot);
+  openPanel_->show(document_);
   status_->setWarnings(warningsOf(snapshot));
   updateProperties();
   showSteps();
@@ -233,7 +236,7 @@ void MainWindow::showSnapshot() {
 void MainWindow::showScene() {
   const Snapshot& snapshot = document_.snapshot();
   const auto tree = document_.tree();
-  const bool wasEmpty = centre_->currentIndex() == 0;
+  const bool wasEmpty = !shownSurfaces_ && !shownTree_ && !shownCt_;
   const bool otherSurfaces = snapshot.model.surfaces != shownSurfaces_;
   // Lungs of the same CT, and the lobes of lungs that are shown, are seen from where one stands.
   const auto whole = wholeLungsOf(snapshot.model);
@@ -255,7 +258,7 @@ void MainWindow::showScene() {
   shownLabels_ = snapshot.model.labels;
   applyVisibility();
   const bool empty = !shownSurfaces_ && !shownTree_ && !shownCt_;
-  centre_->setCurrentIndex(empty ? 0 : 1);
+  showViews();
   if (empty) return;
   if (wasEmpty) goTo(shownCt_ ? LungsStep : shownWhole_ ? LobesStep : AirwaysStep);
   if (wasEmpty || otherLungs) {

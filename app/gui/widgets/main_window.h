@@ -40,6 +40,8 @@ class KeysOverlay;
 class LungsPanel;
 class OpenPanel;
 class SceneView;
+class SeriesPage;
+struct SeriesList;
 class SheetCard;
 class SliceBar;
 class StatusStrip;
@@ -114,8 +116,14 @@ class MainWindow : public QMainWindow {
   void connectBreathing();
   void connectExport();
   void connectCommands();
+  void connectOpening();
 
   void goTo(Step step);
+  /// The views, or the start page where there is nothing to see.
+  void showViews();
+  void showSeries(const SeriesList& list);
+  void leaveSeries();
+  void updateOpeningActions();
   /// Shows the step for lungs where there may be a CT, and numbers the steps.
   void showSteps();
   /// What can be done with the structures that are there.
@@ -195,6 +203,7 @@ class MainWindow : public QMainWindow {
   LungsPanel* lungsPanel_ = nullptr;
   ExportPanel* exportPanel_ = nullptr;
   QStackedWidget* centre_ = nullptr;
+  SeriesPage* seriesPage_ = nullptr;
   ViewBar* viewBar_ = nullptr;
   SceneView* view_ = nullptr;
   SliceBar* sliceBar_ = nullptr;

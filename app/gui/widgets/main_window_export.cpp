@@ -77,7 +77,9 @@ void MainWindow::copyCommand() {
 
 void MainWindow::updateExportActions() {
   const bool busy = document_.jobs().busy();
-  const QString lack = exportPanel_->lack();
+  const bool figure = exportPanel_->kind() == ExportKind::Figure;
+  const QString lack =
+      figure && !view_->obstacle().isEmpty() ? view_->obstacle() : exportPanel_->lack();
   allow(*actions_.exportCase, lack.isEmpty() && !busy,
         tr("Write what is chosen in the step Export"), busy ? tr("A job is running") : lack);
   const QString obstacle = commandNow().obstacle;

@@ -25,7 +25,9 @@
 #include "widgets/lungs_panel.h"
 #include "widgets/main_window.h"
 #include "widgets/open_panel.h"
+#include "widgets/room.h"
 #include "widgets/scene_view.h"
+#include "widgets/series_page.h"
 #include "widgets/sheet_card.h"
 #include "widgets/slice_bar.h"
 #include "widgets/start_page.h"
@@ -42,28 +44,37 @@ namespace {
 constexpr int HeaderHeight = 46;
 constexpr int RailWidth = 248;
 constexpr int RightWidth = 316;
+constexpr int NarrowestBars = 500;
 
-/// Makes steps lower while their window is.
-class StepHeights : public QObject {
+/// Makes steps lower while their window is, and lets the column on the right go where it would
+/// leave no room for the views.
+class SmallWindow : public QObject {
  public:
-  StepHeights(QWidget* window, std::vector<StepButton*> steps)
-      : QObject(window), steps_(std::move(steps)) {
+  SmallWindow(QWidget* window, std::vector<StepButton*> steps, QAction* rightColumn)
+      : QObject(window), steps_(std::move(steps)), rightColumn_(rightColumn) {
     window->installEventFilter(this);
   }
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override {
     if (event->type() == QEvent::Resize) {
-      const int height = static_cast<QResizeEvent*>(event)->size().height();
-      for (StepButton* step : steps_) step->setCompact(height < LowWindow);
+      const QSize size = static_cast<QResizeEvent*>(event)->size();
+      for (StepButton* step : steps_) step->setCompact(size.height() < LowWindow);
+      // Only where the limit is crossed: whoever shows or hides it otherwise is left alone.
+      const bool narrow = size.width() < NarrowWindow;
+      if (narrow != narrow_) rightColumn_->setChecked(!narrow);
+      narrow_ = narrow;
     }
     return QObject::eventFilter(watched, event);
   }
 
  private:
   static constexpr int LowWindow = 880;
+  static constexpr int NarrowWindow = 1100;
 
   std::vector<StepButton*> steps_;
+  QAction* rightColumn_;
+  bool narrow_ = false;
 };
 
 QWidget* styled(const char* name) {
@@ -133,7 +144,7 @@ QWidget* MainWindow::makeRail() {
     connect(steps_[index], &QAbstractButton::clicked, this,
             [this, i] { goTo(static_cast<Step>(i)); });
   }
-  new StepHeights(this, {steps_.begin(), steps_.end()});
+  new SmallWindow(this, {steps_.begin(), steps_.end()}, actions_.rightColumn);
   column->addSpacing(10);
   openPanel_ = new OpenPanel(actions_);
   exportPanel_ = new ExportPanel(document_, actions_);
@@ -156,12 +167,19 @@ QWidget* MainWindow::makeCentre() {
   column->setSpacing(0);
   viewBar_ = new ViewBar(actions_);
   view_ = new SceneView;
-  column->addWidget(viewBar_);
+  auto* bars = new QWidget;
+  auto* barColumn = new QVBoxLayout(bars);
+  barColumn->setContentsMargins(0, 0, 0, 0);
+  barColumn->setSpacing(0);
+  barColumn->addWidget(viewBar_);
+  column->addWidget(bars);
+  hideWhenNarrow(looking, {bars}, NarrowestBars);
+  viewBar_->setVisible(view_->obstacle().isEmpty());
   sliceBar_ = new SliceBar(sliceViews_, actions_);
   sliceBar_->hide();
   ctViews_ = new CtViews(sliceViews_, view_, actions_);
   fissureViews_ = new FissureViews(fissures_, sliceViews_, *ctViews_, *view_, this);
-  column->addWidget(sliceBar_);
+  barColumn->addWidget(sliceBar_);
   column->addWidget(ctViews_, 1);
   breathBar_ = new BreathBar(player_, actions_);
   column->addWidget(breathBar_);
@@ -169,6 +187,8 @@ QWidget* MainWindow::makeCentre() {
   centre_->setObjectName(QStringLiteral("centre"));
   centre_->addWidget(new StartPage(actions_));
   centre_->addWidget(looking);
+  seriesPage_ = new SeriesPage;
+  centre_->addWidget(seriesPage_);
   errorCard_ = new ErrorCard(centre_);
   return centre_;
 }
@@ -207,6 +227,7 @@ QWidget* MainWindow::makeRightColumn() {
   scroll->setFrameShape(QFrame::NoFrame);
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   scroll->setFixedWidth(RightWidth);
+  connect(actions_.rightColumn, &QAction::toggled, scroll, &QWidget::setVisible);
   return scroll;
 }
 
@@ -214,7 +235,7 @@ MainWindow::MainWindow() : actions_(makeActions(this)) {
   setObjectName(QStringLiteral("mainWindow"));
   setWindowIcon(QIcon(QStringLiteral(":/icons/pneuma.svg")));
   setAcceptDrops(true);
-  setMinimumSize(1100, 640);
+  setMinimumSize(800, 480);
 
   auto* whole = new QWidget;
   auto* rows = new QVBoxLayout(whole);
@@ -240,6 +261,7 @@ MainWindow::MainWindow() : actions_(makeActions(this)) {
   connectProject();
   connectExport();
   connectCommands();
+  connectOpening();
   goTo(OpenStep);
   showSnapshot();
   status_->say(tr("Ready"));

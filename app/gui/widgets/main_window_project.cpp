@@ -82,7 +82,7 @@ void MainWindow::connectProject() {
 
 void MainWindow::open(std::vector<std::filesystem::path> paths) {
   if (paths.empty()) return;
-  if (document_.jobs().busy()) {
+  if (document_.jobs().busy() && !document_.drawingSeries()) {
     status_->say(tr("A job is running: cancel it or wait before opening something else."));
     return;
   }
@@ -146,9 +146,11 @@ void MainWindow::saveProjectTo(const std::filesystem::path& path, std::function<
 
 std::string MainWindow::thumbnail() const {
   if (!shownSurfaces_ && !shownTree_) return {};
+  const QImage picture = view_->picture();
+  if (picture.isNull()) return {};
   QBuffer png;
   png.open(QIODevice::WriteOnly);
-  view_->picture().scaledToWidth(ThumbnailWidth, Qt::SmoothTransformation).save(&png, "PNG");
+  picture.scaledToWidth(ThumbnailWidth, Qt::SmoothTransformation).save(&png, "PNG");
   return png.data().toStdString();
 }
 

@@ -6,6 +6,7 @@
 #include "document/text.h"
 #include "widgets/heading.h"
 #include "widgets/main_window.h"
+#include "widgets/scene_view.h"
 #include "widgets/sheet_card.h"
 #include "widgets/step_button.h"
 #include "widgets/structure_view.h"
@@ -26,6 +27,7 @@ void MainWindow::updateActions() {
     allow(*opening, !busy, {}, wait);
   }
   for (QAction* organ : actions_.organs) allow(*organ, !busy, {}, wait);
+  updateOpeningActions();
   allow(*actions_.findLungs, ct && !busy, tr("Find lungs and central airways in the CT"),
         busy ? wait : tr("Open a CT first"));
   const bool whole = document_.canSplit();
@@ -39,7 +41,8 @@ void MainWindow::updateActions() {
         busy ? wait : tr("Open lobe surfaces or an organ first"));
   allow(*actions_.saveTree, tree && !busy, tr("Save the tree that is shown"),
         busy ? wait : tr("There is no tree to save yet"));
-  allow(*actions_.savePicture, shown, {}, tr("There is nothing to see yet"));
+  allow(*actions_.savePicture, shown && view_->obstacle().isEmpty(), {},
+        shown ? view_->obstacle() : tr("There is nothing to see yet"));
   for (QAction* saving : {actions_.saveProject, actions_.saveProjectAs}) {
     allow(*saving, shown && !busy, tr("Save everything, to go on with it another day"),
           busy ? wait : tr("There is nothing to save yet"));
@@ -111,8 +114,10 @@ void MainWindow::updateSteps() {
       count = model.surfaces->size();
       for (const auto& surface : *model.surfaces) healthy = healthy && surface.health.healthy();
     }
-    steps_[OpenStep]->setState(healthy ? StepState::Done : StepState::CheckMe,
-                               model.ct              ? sizeText(model.ct->geometry)
+    const bool missing = document_.ctMissing();
+    steps_[OpenStep]->setState(healthy && !missing ? StepState::Done : StepState::CheckMe,
+                               missing               ? tr("CT not found")
+                               : model.ct            ? sizeText(model.ct->geometry)
                                : count > 0           ? counted(count, "surface", "surfaces")
                                : document_.canGrow() ? tr("a built-in organ")
                                                      : tr("a tree"));

@@ -1,18 +1,23 @@
 #include "widgets/open_panel.h"
 
 #include <QLabel>
+#include <QPushButton>
 #include <QVBoxLayout>
 
+#include "document/document.h"
 #include "document/property_sheet.h"
 #include "widgets/action_button.h"
 #include "widgets/actions.h"
 #include "widgets/heading.h"
+#include "widgets/scrolled.h"
 #include "widgets/sheet_card.h"
 
 namespace pneuma {
 
 OpenPanel::OpenPanel(const Actions& actions, QWidget* parent) : QWidget(parent) {
-  auto* column = new QVBoxLayout(this);
+  auto* content = new QWidget;
+  fillScrolling(this, content);
+  auto* column = new QVBoxLayout(content);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(8);
   column->addWidget(heading(tr("Open")));
@@ -27,11 +32,17 @@ OpenPanel::OpenPanel(const Actions& actions, QWidget* parent) : QWidget(parent) 
   files_->setObjectName(QStringLiteral("openedFiles"));
   files_->setAccessibleName(tr("Opened files"));
   column->addWidget(files_);
+  otherSeries_ = actionButton(actions.otherSeries, "otherSeries");
+  locate_ = actionButton(actions.locateCt, "locateCt");
+  column->addWidget(otherSeries_);
+  column->addWidget(locate_);
   column->addStretch();
 }
 
-void OpenPanel::show(const Snapshot& snapshot) {
-  const PropertySheet sheet = filesSheet(snapshot);
+void OpenPanel::show(const Document& document) {
+  const PropertySheet sheet = filesSheet(document.snapshot());
+  otherSeries_->setVisible(document.hasOtherSeries());
+  locate_->setVisible(document.ctMissing());
   heading_->setVisible(!sheet.rows.empty());
   files_->setVisible(!sheet.rows.empty());
   files_->show(sheet);

@@ -3,11 +3,12 @@
 #include <QWidget>
 
 class QLabel;
+class QPushButton;
 
 namespace pneuma {
 
 struct Actions;
-struct Snapshot;
+class Document;
 class SheetCard;
 
 /// Step "Open": ways to open something, and what the mesh doctor says of each file.
@@ -17,11 +18,13 @@ class OpenPanel : public QWidget {
  public:
   explicit OpenPanel(const Actions& actions, QWidget* parent = nullptr);
 
-  void show(const Snapshot& snapshot);
+  void show(const Document& document);
 
  private:
   QLabel* heading_;
   SheetCard* files_;
+  QPushButton* otherSeries_;
+  QPushButton* locate_;
 };
 
 }  // namespace pneuma

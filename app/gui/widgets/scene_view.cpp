@@ -1,8 +1,7 @@
 #include "widgets/scene_view.h"
 
-#include <QKeyEvent>
+#include <QHBoxLayout>
 #include <QLabel>
-#include <QMouseEvent>
 #include <QVBoxLayout>
 #include <QVariant>
 #include <algorithm>
@@ -18,8 +17,8 @@
 #include <vtkRenderWindowInteractor.h>
 #include <vtkRenderer.h>
 
+#include "widgets/open_gl.h"
 #include "widgets/stereo_window.h"
-#include "widgets/view_keys.h"
 
 namespace pneuma {
 
@@ -27,9 +26,8 @@ namespace {
 
 constexpr int SettleMs = 180;  ///< after the last movement the picture becomes fine again
 constexpr int HoverMs = 60;
-constexpr int ClickPixels = 4;  ///< a press that moves less is a click
-constexpr double TurnDeg = 15.0;
-constexpr int TitleGap = 12;  ///< pixels
+constexpr int TitleGap = 12;      ///< pixels
+constexpr int NoticeWidth = 460;  ///< pixels
 
 /// The usual camera, without VTK's keys (e ends the program, w turns surfaces into wires ...).
 class CameraStyle : public vtkInteractorStyleTrackballCamera {
@@ -65,21 +63,46 @@ QString viewText(ViewDirection direction) {
   return text;
 }
 
-SceneView::SceneView(QWidget* parent) : QWidget(parent), scene_(std::make_unique<Scene>()) {
+void SceneView::makeCanvas() {
+  gl_ = new QVTKOpenGLNativeWidget(this);
+  canvas_ = gl_;
+  window_->SetMultiSamples(0);
+  gl_->setRenderWindow(window_);
+  scene_->attachTo(window_);
+  vtkNew<CameraStyle> style;
+  window_->GetInteractor()->SetInteractorStyle(style);
+}
+
+void SceneView::makeNotice() {
+  canvas_ = new QWidget(this);
+  scene_->attachTo(window_);
+  auto* notice = new QLabel(obstacle());
+  notice->setObjectName(QStringLiteral("sceneNotice"));
+  notice->setTextFormat(Qt::PlainText);
+  notice->setWordWrap(true);
+  notice->setAlignment(Qt::AlignCenter);
+  notice->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  notice->setMaximumWidth(NoticeWidth);
+  auto* row = new QHBoxLayout(canvas_);
+  row->setContentsMargins(24, 24, 24, 24);
+  row->addWidget(notice);
+}
+
+const QString& SceneView::obstacle() const { return openGlObstacle(); }
+
+SceneView::SceneView(QWidget* parent)
+    : QWidget(parent), scene_(std::make_unique<Scene>()), window_(StereoWindow::New()) {
   setObjectName(QStringLiteral("sceneView"));
-  canvas_ = new QVTKOpenGLNativeWidget(this);
+  if (obstacle().isEmpty()) {
+    makeCanvas();
+  } else {
+    makeNotice();
+  }
   canvas_->setObjectName(QStringLiteral("canvas"));
   canvas_->setAccessibleName(tr("3-D view of lobes and airways"));
   canvas_->setFocusPolicy(Qt::StrongFocus);
   canvas_->setMouseTracking(true);
   canvas_->installEventFilter(this);
-
-  vtkNew<StereoWindow> window;
-  window->SetMultiSamples(0);
-  canvas_->setRenderWindow(window);
-  scene_->attachTo(window);
-  vtkNew<CameraStyle> style;
-  window->GetInteractor()->SetInteractorStyle(style);
 
   // Scale bar, letters and the title follow the camera, whatever moved it.
   vtkNew<vtkCallbackCommand> beforeFrame;
@@ -98,7 +121,7 @@ SceneView::SceneView(QWidget* parent) : QWidget(parent), scene_(std::make_unique
       view->title_->adjustSize();
     }
   });
-  window->AddObserver(vtkCommand::StartEvent, beforeFrame);
+  window_->AddObserver(vtkCommand::StartEvent, beforeFrame);
 
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
@@ -109,6 +132,7 @@ SceneView::SceneView(QWidget* parent) : QWidget(parent), scene_(std::make_unique
   title_->setProperty("role", "viewTitle");
   title_->setAttribute(Qt::WA_TransparentForMouseEvents);
   title_->move(12, 10);
+  title_->setText(tr("3D"));
 
   renderTimer_.setSingleShot(true);
   renderTimer_.setInterval(0);
@@ -129,6 +153,7 @@ SceneView::~SceneView() {
   canvas_->removeEventFilter(this);
   stereoWindow().setStereo(*scene_, {});
   scene_.reset();
+  window_->Delete();
 }
 
 void SceneView::setSurfaces(std::vector<SceneSurface> surfaces) {
@@ -219,9 +244,7 @@ void SceneView::look(ViewDirection direction) {
   renderSoon();
 }
 
-StereoWindow& SceneView::stereoWindow() const {
-  return static_cast<StereoWindow&>(*canvas_->renderWindow());
-}
+StereoWindow& SceneView::stereoWindow() const { return *window_; }
 
 void SceneView::setStereo(const StereoOptions& stereo) {
   stereoWindow().setStereo(*scene_, stereo);
@@ -243,8 +266,9 @@ void SceneView::turn(double azimuthDeg, double elevationDeg) {
 }
 
 QImage SceneView::picture() {
-  canvas_->renderWindow()->Render();
-  return canvas_->grabFramebuffer();
+  if (gl_ == nullptr) return {};
+  window_->Render();
+  return gl_->grabFramebuffer();
 }
 
 QPoint SceneView::positionOf(const Vec3& point) const {
@@ -271,35 +295,13 @@ std::optional<std::size_t> SceneView::branchAt(const QPoint& position) const {
   return scene_->branchAt(at.x(), at.y());
 }
 
-bool SceneView::mouseOnMark(QEvent& event) {
-  if (event.type() != QEvent::MouseButtonPress && event.type() != QEvent::MouseMove &&
-      event.type() != QEvent::MouseButtonRelease) {
-    return false;
-  }
-  const auto& mouse = static_cast<QMouseEvent&>(event);
-  const QPointF at = onWindow(mouse.pos());
-  if (event.type() == QEvent::MouseButtonPress) {
-    if (mouse.button() != Qt::LeftButton || mouse.modifiers() != Qt::NoModifier) return false;
-    mark_ = scene_->markAt(at.x(), at.y());
-    if (mark_) markPlace_ = scene_->markPlace(*mark_);
-    return mark_.has_value();
-  }
-  if (!mark_) return false;
-  if (event.type() == QEvent::MouseButtonRelease) {
-    mark_.reset();
-    emit markReleased();
-    return true;
-  }
-  std::optional<Vec3> to;
-  if (placing_) to = scene_->lungPointAt(at.x(), at.y());
-  if (!to) to = scene_->pointBeside(at.x(), at.y(), markPlace_);
-  emit markDragged(*mark_, *to);
-  return true;
-}
-
 void SceneView::render() {
+  if (gl_ == nullptr) {
+    detailed_ = true;
+    return;
+  }
   sinceFrame_.start();
-  canvas_->renderWindow()->Render();
+  window_->Render();
   frameMs_ = sinceFrame_.restart();
   detailed_ = !coarse_;
   countFrame();
@@ -323,119 +325,6 @@ void SceneView::dragging(bool on) {
   coarse_ = on || playing_;
   scene_->setInteractive(coarse_);
   if (!on) renderSoon();
-}
-
-bool SceneView::keyPressed(int key, Qt::KeyboardModifiers modifiers) {
-  if (modifiers & (Qt::ControlModifier | Qt::AltModifier)) return false;
-  const auto does = sceneKey(key, modifiers);
-  if (!does) return false;
-  switch (*does) {
-    case SceneKey::Look: {
-      const char letter = static_cast<char>('A' + (key - Qt::Key_A));
-      look(viewDirection(std::string_view(&letter, 1)));
-      break;
-    }
-    case SceneKey::FrameEverything:
-      resetView();
-      break;
-    case SceneKey::Play:
-      emit playToggled();
-      break;
-    case SceneKey::NextFrame:
-      emit stepped(1);
-      break;
-    case SceneKey::PreviousFrame:
-      emit stepped(-1);
-      break;
-    case SceneKey::Mother:
-      emit walked(Neighbour::Parent);
-      break;
-    case SceneKey::Daughter:
-      emit walked(Neighbour::Child);
-      break;
-    case SceneKey::PreviousSister:
-      emit walked(Neighbour::PreviousSibling);
-      break;
-    case SceneKey::NextSister:
-      emit walked(Neighbour::NextSibling);
-      break;
-    case SceneKey::TurnLeft:
-      turn(-TurnDeg, 0.0);
-      break;
-    case SceneKey::TurnRight:
-      turn(TurnDeg, 0.0);
-      break;
-    case SceneKey::TurnUp:
-      turn(0.0, TurnDeg);
-      break;
-    case SceneKey::TurnDown:
-      turn(0.0, -TurnDeg);
-      break;
-  }
-  return true;
-}
-
-void SceneView::clickedAt(const QPoint& position) {
-  const QPointF at = onWindow(position);
-  if (placing_) {
-    if (const auto point = scene_->lungPointAt(at.x(), at.y())) {
-      emit lungClicked(*point);
-      return;
-    }
-  }
-  if (picking_) {
-    if (const auto hit = scene_->surfaceAt(at.x(), at.y())) {
-      emit surfaceClicked(hit->surface, hit->place);
-      return;
-    }
-  }
-  emit clicked(branchAt(position));
-}
-
-bool SceneView::eventFilter(QObject* watched, QEvent* event) {
-  if (watched != canvas_) return QWidget::eventFilter(watched, event);
-  if (mouseOnMark(*event)) return true;
-  switch (event->type()) {
-    case QEvent::KeyPress: {
-      const auto* key = static_cast<QKeyEvent*>(event);
-      return keyPressed(key->key(), key->modifiers());
-    }
-    case QEvent::MouseButtonPress:
-      pressedAt_ = static_cast<QMouseEvent*>(event)->pos();
-      settleTimer_.stop();
-      break;
-    case QEvent::MouseMove: {
-      const auto* mouse = static_cast<QMouseEvent*>(event);
-      pointer_ = mouse->pos();
-      if (mouse->buttons() == Qt::NoButton) {
-        hoverTimer_.start();
-      } else if ((mouse->pos() - pressedAt_).manhattanLength() > ClickPixels) {
-        hoverTimer_.stop();
-        dragging(true);
-      }
-      break;
-    }
-    case QEvent::MouseButtonRelease: {
-      const auto* mouse = static_cast<QMouseEvent*>(event);
-      settleTimer_.start();
-      if (mouse->button() == Qt::LeftButton &&
-          (mouse->pos() - pressedAt_).manhattanLength() <= ClickPixels) {
-        clickedAt(mouse->pos());
-      }
-      break;
-    }
-    case QEvent::Wheel:
-      dragging(true);
-      settleTimer_.start();
-      break;
-    case QEvent::Leave:
-      hoverTimer_.stop();
-      emit hovered(std::nullopt);
-      break;
-    default:
-      break;
-  }
-  return QWidget::eventFilter(watched, event);
 }
 
 }  // namespace pneuma

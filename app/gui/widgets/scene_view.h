@@ -95,7 +95,11 @@ class SceneView : public QWidget {
   /// Frames everything again, seen from where one stands.
   void resetView();
 
-  /// What the view shows, in device pixels.
+  /// Why the view is empty and what to do about it; empty if it can draw. Everything else of it
+  /// works without drawing.
+  const QString& obstacle() const;
+
+  /// What the view shows, in device pixels; null if it cannot draw.
   QImage picture();
 
   /// The pixel of this widget at which a point (LPS, mm) is drawn.
@@ -141,8 +145,14 @@ class SceneView : public QWidget {
   std::optional<std::size_t> branchAt(const QPoint& position) const;
   StereoWindow& stereoWindow() const;
 
+  void makeCanvas();
+  /// A sentence in place of the canvas.
+  void makeNotice();
+
   std::unique_ptr<Scene> scene_;
-  QVTKOpenGLNativeWidget* canvas_;
+  StereoWindow* window_;                  ///< counted as VTK does
+  QVTKOpenGLNativeWidget* gl_ = nullptr;  ///< null where there is no OpenGL to draw with
+  QWidget* canvas_ = nullptr;
   QLabel* title_;
   QTimer renderTimer_;
   QTimer previewTimer_;

@@ -12,6 +12,7 @@
 
 #include "document/text.h"
 #include "widgets/actions.h"
+#include "widgets/room.h"
 
 namespace pneuma {
 
@@ -69,10 +70,14 @@ SliceBar::SliceBar(SliceViews& views, const Actions& actions, QWidget* parent)
   row->addWidget(level_);
   row->addStretch(1);
   row->addWidget(toggle(actions.slices.overlay, "overlay", tr("Overlay")));
-  row->addWidget(toggle(actions.slices.outlines, "outlines", tr("Outlines")));
+  auto* outlines = toggle(actions.slices.outlines, "outlines", tr("Outlines"));
+  row->addWidget(outlines);
   row->addSpacing(4);
   row->addWidget(opacity_, 1);
   row->addWidget(opacityLabel_);
+
+  hideWhenNarrow(this, {label}, 660);
+  hideWhenNarrow(this, {outlines, opacityLabel_}, 620);
 
   connect(preset_, QOverload<int>::of(&QComboBox::activated), this, [&actions](int index) {
     const auto i = static_cast<std::size_t>(index);

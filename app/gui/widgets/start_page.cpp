@@ -1,5 +1,6 @@
 #include "widgets/start_page.h"
 
+#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -12,6 +13,8 @@
 namespace pneuma {
 
 namespace {
+
+constexpr int FrameWidth = 640;
 
 QLabel* line(const QString& text, const char* role) {
   auto* label = new QLabel(text);
@@ -28,7 +31,7 @@ StartPage::StartPage(const Actions& actions, QWidget* parent) : QWidget(parent) 
   setAttribute(Qt::WA_StyledBackground);
   auto* frame = new QFrame;
   frame->setObjectName(QStringLiteral("dropFrame"));
-  frame->setFixedWidth(640);
+  frame->setMaximumWidth(FrameWidth);
   auto* column = new QVBoxLayout(frame);
   column->setContentsMargins(36, 32, 36, 30);
   column->setSpacing(10);
@@ -42,13 +45,13 @@ StartPage::StartPage(const Actions& actions, QWidget* parent) : QWidget(parent) 
          "organ."),
       "dim"));
   column->addSpacing(8);
-  auto* buttons = new QHBoxLayout;
-  buttons->setSpacing(8);
-  buttons->addWidget(actionButton(actions.open, "startOpen"));
-  buttons->addWidget(actionButton(actions.openFolder, "startOpenFolder"));
-  buttons->addWidget(organButton(actions, "startOrgan"));
-  buttons->addWidget(actionButton(actions.sample, "startSample", "primary"));
-  column->addLayout(buttons);
+  buttons_ = new QGridLayout;
+  buttons_->setSpacing(8);
+  ways_ = {actionButton(actions.open, "startOpen"),
+           actionButton(actions.openFolder, "startOpenFolder"), organButton(actions, "startOrgan"),
+           actionButton(actions.sample, "startSample", "primary")};
+  arrange(static_cast<int>(ways_.size()));
+  column->addLayout(buttons_);
   column->addSpacing(4);
   column->addWidget(
       line(tr("Nothing leaves this computer. Research use only; not a medical device."), "dim"));
@@ -56,11 +59,26 @@ StartPage::StartPage(const Actions& actions, QWidget* parent) : QWidget(parent) 
   auto* whole = new QVBoxLayout(this);
   whole->addStretch(2);
   auto* middle = new QHBoxLayout;  // an alignment instead would cut the wrapped lines
-  middle->addStretch();
-  middle->addWidget(frame);
-  middle->addStretch();
+  middle->addStretch(1);
+  middle->addWidget(frame, 1000);
+  middle->addStretch(1);
   whole->addLayout(middle);
   whole->addStretch(3);
+}
+
+void StartPage::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  const int ways = static_cast<int>(ways_.size());
+  arrange(width() < FrameWidth + 8 ? ways / 2 : ways);
+}
+
+void StartPage::arrange(int columns) {
+  if (columns == columns_) return;
+  columns_ = columns;
+  for (std::size_t i = 0; i < ways_.size(); ++i) {
+    const int n = static_cast<int>(i);
+    buttons_->addWidget(ways_[i], n / columns, n % columns);
+  }
 }
 
 }  // namespace pneuma

@@ -1,6 +1,9 @@
 #pragma once
 
 #include <QWidget>
+#include <vector>
+
+class QGridLayout;
 
 namespace pneuma {
 
@@ -12,6 +15,17 @@ class StartPage : public QWidget {
 
  public:
   explicit StartPage(const Actions& actions, QWidget* parent = nullptr);
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  /// Puts the buttons into rows of so many.
+  void arrange(int columns);
+
+  QGridLayout* buttons_;
+  std::vector<QWidget*> ways_;  ///< to open something
+  int columns_ = 0;
 };
 
 }  // namespace pneuma

@@ -2,6 +2,7 @@
 
 #include <QPainter>
 #include <QPainterPath>
+#include <algorithm>
 
 #include "widgets/theme.h"
 
@@ -41,8 +42,7 @@ StepButton::StepButton(int number, const QString& title, QWidget* parent)
 
 void StepButton::setNumber(int number) {
   number_ = number;
-  setToolTip(tr("Step %1 (key %1)").arg(number));
-  update();
+  describe();
 }
 
 void StepButton::setState(StepState state, const QString& note) {
@@ -61,6 +61,7 @@ void StepButton::describe() {
   } else {
     line_ = state_ == StepState::Done ? note_ : word + QStringLiteral(": ") + note_;
   }
+  setToolTip(tr("Step %1 (key %1): %2").arg(QString::number(number_), line_));
   setAccessibleName(QStringLiteral("%1, %2").arg(text(), line_));
   setAccessibleDescription(word);
   update();
@@ -71,6 +72,13 @@ void StepButton::setCompact(bool compact) {
   compact_ = compact;
   updateGeometry();
   update();
+}
+
+QString StepButton::lineWithin(int width, const QFontMetrics& metrics) const {
+  // Half a figure misleads; the tool tip has the whole of it.
+  const bool fits = metrics.horizontalAdvance(line_) <= width;
+  if (fits || state_ == StepState::Done) return metrics.elidedText(line_, Qt::ElideRight, width);
+  return metrics.elidedText(wordFor(state_), Qt::ElideRight, width);
 }
 
 QSize StepButton::sizeHint() const { return {224, compact_ ? 32 : 50}; }
@@ -131,12 +139,13 @@ void StepButton::paintEvent(QPaintEvent*) {
   const int half = height() / 2;
   QRect upper(44, 7, width() - 44 - 34, half - 7);
   QRect lower(44, half, width() - 44 - 26, half - 6);
-  if (compact_) {
-    upper = QRect(44, 0, 64, height());
-    lower = QRect(108, 0, width() - 108 - 26, height());
-  }
   QFont bold = font();
   bold.setWeight(QFont::DemiBold);
+  if (compact_) {
+    const int from = std::max(108, 44 + QFontMetrics(bold).horizontalAdvance(text()) + 8);
+    upper = QRect(44, 0, from - 44, height());
+    lower = QRect(from, 0, width() - from - 26, height());
+  }
   painter.setFont(bold);
   painter.setPen(theme.text);
   painter.drawText(upper, Qt::AlignLeft | Qt::AlignVCenter, text());
@@ -145,7 +154,7 @@ void StepButton::paintEvent(QPaintEvent*) {
   painter.setFont(small);
   painter.setPen(theme.dim);
   painter.drawText(lower, Qt::AlignLeft | Qt::AlignVCenter,
-                   QFontMetrics(small).elidedText(line_, Qt::ElideRight, lower.width()));
+                   lineWithin(lower.width(), QFontMetrics(small)));
   painter.setFont(font());
   painter.drawText(QRect(width() - 34, 0, 22, height()), Qt::AlignRight | Qt::AlignVCenter,
                    QString::number(number_));

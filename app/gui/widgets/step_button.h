@@ -30,6 +30,8 @@ class StepButton : public QAbstractButton {
 
  private:
   void describe();
+  /// What there is to say that fits whole, or the state's word.
+  QString lineWithin(int width, const QFontMetrics& metrics) const;
   void paintState(QPainter& painter, const QRectF& box) const;
 
   int number_;

@@ -8,6 +8,8 @@
 #include <QToolButton>
 #include <QVariant>
 
+#include "widgets/room.h"
+
 namespace pneuma {
 
 namespace {
@@ -102,6 +104,9 @@ ViewBar::ViewBar(const Actions& actions, QWidget* parent) : QWidget(parent) {
   reset->setToolTip(tr("Frame everything (key Home in the view)"));
   reset->setAccessibleName(tr("Frame everything"));
   row->addWidget(reset);
+
+  hideWhenNarrow(this, {colourLabel}, 780);
+  hideWhenNarrow(this, {generationLabel_, opacityLabel_}, 720);
 
   connect(colourBy_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &ViewBar::changed);
   for (QSlider* s : {generation_, opacity_}) {
