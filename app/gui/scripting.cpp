@@ -97,7 +97,9 @@ void ScriptPlayer::play(const QString& file) {
     try {
       perform(step);
     } catch (const ScriptError& problem) {
-      fail(QStringLiteral("step %1 %2: %3")
+      const QString where = scenario_.isEmpty() ? QString() : scenario_ + QStringLiteral(": ");
+      fail(QStringLiteral("%1step %2 %3: %4")
+               .arg(where)
                .arg(number)
                .arg(QString::fromUtf8(QJsonDocument(step).toJson(QJsonDocument::Compact)),
                     QString::fromUtf8(problem.what())));
@@ -109,7 +111,9 @@ void ScriptPlayer::perform(const QJsonObject& step) {
   const QString what = step[QStringLiteral("do")].toString();
   const QString name = step[QStringLiteral("name")].toString();
   const double seconds = step[QStringLiteral("seconds")].toDouble(60.0);
-  if (what == QLatin1String("open")) {
+  if (what == QLatin1String("scenario")) {
+    scenario_ = name;
+  } else if (what == QLatin1String("open")) {
     std::vector<std::filesystem::path> paths;
     for (const auto& path : step[QStringLiteral("paths")].toArray()) {
       paths.emplace_back(expanded(path.toString()).toStdString());

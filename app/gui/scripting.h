@@ -23,7 +23,8 @@ class ScriptError : public std::runtime_error {
 ///   {seconds}, pause {seconds}, click-branch {index}, click-point {name, point: [x, y, z]},
 ///   drag-point {name, from, to}, drag-mark {index, by: [right, down]}, wheel {name, notches},
 ///   resize {width, height}, screenshot {file}, save-clipboard {file}, expect {name, property |
-///   state, equals | contains | above | below}, wait-until {the same, seconds}
+///   state, equals | contains | above | below}, wait-until {the same, seconds}, scenario {name}:
+///   what the steps from here on show
 /// `name` is a widget's or action's object name. ${NAME} in a text is an environment variable,
 /// ${OUT} the folder of the screenshots.
 class ScriptPlayer {
@@ -55,6 +56,7 @@ class ScriptPlayer {
 
   MainWindow& window_;
   QString outFolder_;
+  QString scenario_;  ///< that the steps are of, for messages
 };
 
 }  // namespace pneuma

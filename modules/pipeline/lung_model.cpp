@@ -38,6 +38,18 @@ std::vector<fs::path> lobeFilesIn(const fs::path& folder) {
   return files;
 }
 
+/// @throws InvalidInput for a folder that has no slices of a CT and no lobes
+void requireSomethingIn(const fs::path& folder) {
+  if (!lobeFilesIn(folder).empty()) return;
+  const std::size_t files = filesIn(folder).size();
+  throw InvalidInput(
+      "the folder " + quoted(folder) + " holds neither slices of a CT nor a lobe " + "surface, " +
+      (files == 0 ? "no file at all"
+                  : "only " + std::to_string(files) + " other " + (files == 1 ? "file" : "files")) +
+      "; slices are DICOM, and the names of lobes' files must carry rul, rml, rll, "
+      "lul or lll and end in .stl, .obj, .ply or .vtp");
+}
+
 std::vector<fs::path> expanded(std::span<const fs::path> paths) {
   std::vector<fs::path> files;
   for (const fs::path& path : paths) {
@@ -259,6 +271,7 @@ LungModel openFiles(std::span<const fs::path> paths, const Progress& progress) {
     if (isCtPath(path)) {
       (isLabelFile(path) ? labels : cts).push_back(path);
     } else if (isFolder(path)) {
+      requireSomethingIn(path);
       surfaces.push_back(path);
       for (const fs::path& file : filesIn(path)) {
         if (file.stem() == "central") trees.push_back(file);

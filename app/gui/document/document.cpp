@@ -113,7 +113,9 @@ Document::Document(QObject* parent) : QObject(parent) {
     if (busy) return;
     lobeJob_ = LobeJob::None;
     breathing_ = false;
+    comparing_ = false;
   });
+  connect(this, &Document::changed, this, &Document::dropComparison);
   // Whether something can be undone depends on the queue being idle.
   connect(&jobs_, &JobQueue::busyChanged, this, &Document::changed);
 }
@@ -257,7 +259,7 @@ void Document::saveFile(const std::filesystem::path& path, std::string content) 
 }
 
 void Document::fail(const QString& title, const QString& sentence) {
-  emit failed(title, withoutFolders(sentence, touched_));
+  emit failed(title, withCommands(withoutFolders(sentence, touched_)));
 }
 
 void Document::become(Snapshot next, const QString& stepName, StepKind kind) {

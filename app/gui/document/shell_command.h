@@ -38,4 +38,8 @@ QString shellWord(std::string_view text);
 /// they read; one that was changed since has to be saved first.
 ShellCommand shellCommand(WorkStep step, const Document& document, const ExportWish& wish = {});
 
+/// The commands that grow trees by all methods with the options they were grown with, and compare
+/// them.
+ShellCommand compareCommand(const Document& document);
+
 }  // namespace pneuma

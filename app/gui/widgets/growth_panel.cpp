@@ -62,6 +62,7 @@ GrowthPanel::GrowthPanel(Document& document, const Actions& actions, QWidget* pa
   form_ = new GrowthForm(document_);
   column->addWidget(new FittingScrollArea(form_));
   column->addLayout(makeButtons(actions));
+  column->addWidget(actionButton(actions.compareMethods, "compareMethods"));
   note_ = new QLabel;
   note_->setObjectName(QStringLiteral("growthNote"));
   note_->setProperty("role", "dim");

@@ -13,6 +13,7 @@
 #include "document/text.h"
 #include "io/atomic_file.h"
 #include "pipeline/lobes_model.h"
+#include "widgets/comparison_page.h"
 #include "widgets/ct_views.h"
 #include "widgets/dialogs.h"
 #include "widgets/error_card.h"
@@ -49,6 +50,7 @@ void MainWindow::setTheme(ThemeName name) {
   SceneOptions options = view_->options();
   options.background = name == ThemeName::Dark ? Background::Dark : Background::Light;
   view_->setOptions(options);
+  comparisonPage_->setOptions(options);
 }
 
 void MainWindow::connectActions() {
@@ -168,6 +170,7 @@ void MainWindow::connectFissures() {
 }
 
 void MainWindow::goTo(Step step) {
+  if (step != AirwaysStep) closeComparison();
   if (step != LungsStep) lungsPanel_->endPreview();
   fissureViews_->setActive(step == LobesStep);
   if (step != LobesStep) review_.stop();
@@ -319,6 +322,8 @@ void MainWindow::cancel() {
   } else if (document_.jobs().busy()) {
     document_.jobs().cancel();
     status_->say(tr("Stopping..."));
+  } else if (comparing()) {
+    closeComparison();
   } else {
     selectBranch(std::nullopt);
   }

@@ -29,6 +29,7 @@ namespace pneuma {
 class BreathBar;
 class BreathChart;
 class CommandPalette;
+class ComparisonPage;
 class CtViews;
 class ErrorCard;
 class ExportPanel;
@@ -103,6 +104,7 @@ class MainWindow : public QMainWindow {
   void connectBreathing();
   void connectExport();
   void connectCommands();
+  void connectComparison();
 
   void goTo(Step step);
   /// Shows the step for lungs where there may be a CT, and numbers the steps.
@@ -153,6 +155,10 @@ class MainWindow : public QMainWindow {
   ShellCommand commandNow() const;
   void copyCommand();
   void updateExportActions();
+  /// True while trees of all methods are shown beside each other, in place of the usual views.
+  bool comparing() const;
+  void showComparison();
+  void closeComparison();
 
   Document document_;
   StructureModel structures_;
@@ -188,6 +194,7 @@ class MainWindow : public QMainWindow {
   SliceBar* sliceBar_ = nullptr;
   CtViews* ctViews_ = nullptr;
   FissureViews* fissureViews_ = nullptr;
+  ComparisonPage* comparisonPage_ = nullptr;
   ErrorCard* errorCard_ = nullptr;
   StructureView* structureView_ = nullptr;
   QLabel* propertiesHeading_ = nullptr;

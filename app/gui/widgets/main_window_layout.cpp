@@ -239,6 +239,7 @@ MainWindow::MainWindow() : actions_(makeActions(this)) {
   connectProject();
   connectExport();
   connectCommands();
+  connectComparison();
   goTo(OpenStep);
   showSnapshot();
   status_->say(tr("Ready"));

@@ -36,6 +36,9 @@ void MainWindow::updateActions() {
         busy ? wait : tr("Open whole lungs or find them in a CT first"));
   allow(*actions_.grow, lobes && !busy, tr("Grow airways from the central ones into the lobes"),
         busy ? wait : tr("Open lobe surfaces or an organ first"));
+  allow(*actions_.compareMethods, lobes && !busy,
+        tr("Grow a tree by every method and see them beside each other; nothing is changed"),
+        busy ? wait : tr("Open lobe surfaces or an organ first"));
   allow(*actions_.saveTree, tree && !busy, tr("Save the tree that is shown"),
         busy ? wait : tr("There is no tree to save yet"));
   allow(*actions_.savePicture, shown, {}, tr("There is nothing to see yet"));
@@ -46,7 +49,7 @@ void MainWindow::updateActions() {
   allow(*actions_.packCt, ct && !busy, {}, busy ? wait : tr("Open a CT first"));
   for (QAction* recent : actions_.recents) recent->setEnabled(!busy);
   allow(*actions_.cancel,
-        busy || branch_ || fissures_.placing() || review_.active() ||
+        busy || branch_ || comparing() || fissures_.placing() || review_.active() ||
             regions_.placing() != RegionEditor::Placing::Nothing,
         {}, tr("Nothing is running"));
   allow(*actions_.undo, document_.canUndo(), {}, busy ? wait : tr("Nothing was done yet"));
