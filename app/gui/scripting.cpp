@@ -16,6 +16,7 @@
 #include <QKeyEvent>
 #include <QKeySequence>
 #include <QLineEdit>
+#include <QListWidget>
 #include <QMouseEvent>
 #include <QScreen>
 #include <QTimer>
@@ -200,6 +201,8 @@ void ScriptPlayer::set(const QJsonObject& step) const {
   } else if (auto* choice = qobject_cast<QComboBox*>(target)) {
     if (choice->findText(value.toString()) < 0) fail(QStringLiteral("there is no such choice"));
     choice->setCurrentText(value.toString());
+  } else if (auto* list = qobject_cast<QListWidget*>(target)) {
+    list->setCurrentRow(value.toInt());
   } else if (auto* button = qobject_cast<QAbstractButton*>(target)) {
     if (!button->isCheckable()) fail(QStringLiteral("this button has no value, only a click"));
     button->setChecked(value.toBool());

@@ -14,6 +14,7 @@
 #include "io/tree_file.h"
 #include "io/volume_file.h"
 #include "pipeline/ct_model.h"
+#include "pipeline/figure_table.h"
 #include "pipeline/lobe_parts.h"
 #include "pipeline/project.h"
 
@@ -94,8 +95,7 @@ std::vector<Lobe> lobesOf(const std::vector<fs::path>& files) {
 void requireFit(const LobeSurface& surface) {
   const MeshReport& health = surface.health;
   if (health.unitsGuess == "m") {
-    throw InvalidInput("'" + surface.name + "' is " +
-                       std::to_string(health.box.sizes().maxCoeff()) +
+    throw InvalidInput("'" + surface.name + "' is " + fixed(health.box.sizes().maxCoeff(), 2) +
                        " mm large: it seems to be in metres; convert it with 'pneuma export "
                        "--from-units m'");
   }

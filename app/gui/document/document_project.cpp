@@ -154,7 +154,7 @@ void Document::showProject(Project project, const std::filesystem::path& path, O
   if (project.notes.empty()) return;
   QStringList sentences;
   for (const std::string& note : project.notes) sentences << qtText(note);
-  emit failed(tr("Open the project"), sentences.join(QLatin1Char(' ')));
+  emit failed(tr("Opening the project"), sentences.join(QLatin1Char(' ')));
 }
 
 }  // namespace pneuma

@@ -6,6 +6,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QTableWidget>
+#include <QTimer>
 #include <QVBoxLayout>
 #include <QVariant>
 #include <algorithm>
@@ -49,6 +50,7 @@ QTableWidget* makeTable() {
   table->setSelectionBehavior(QAbstractItemView::SelectRows);
   table->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   table->horizontalHeader()->setHighlightSections(false);
+  table->horizontalHeader()->setTextElideMode(Qt::ElideRight);
   return table;
 }
 
@@ -102,6 +104,7 @@ ComparisonPage::Column ComparisonPage::makeColumn(std::size_t method) {
   made.keep->setObjectName(QStringLiteral("keep_") + name);
   made.keep->setAccessibleName(tr("Keep the tree of %1").arg(qtText(of.title)));
   made.keep->setToolTip(tr("Makes it the airways of this case; this can be undone"));
+  made.keep->setProperty("method", made.title->text());
   row->addWidget(made.keep);
   connect(made.keep, &QPushButton::clicked, this,
           [this, method] { document_.keepCompared(method); });
@@ -181,8 +184,18 @@ QString ComparisonPage::lookingFrom() const {
   return texts.join(QLatin1String("; "));
 }
 
+void ComparisonPage::elideTitle(const Column& column) {
+  const QString whole = column.keep->property("method").toString();
+  column.title->setText(
+      column.title->fontMetrics().elidedText(whole, Qt::ElideRight, column.title->width()));
+}
+
 void ComparisonPage::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
+  // Once the columns have their new widths.
+  QTimer::singleShot(0, this, [this] {
+    for (const Column& column : columns_) elideTitle(column);
+  });
   table_->setFixedHeight(
       std::clamp(static_cast<int>(TableShare * height()), LeastTable, MostTable));
 }
@@ -215,11 +228,14 @@ void ComparisonPage::fillTable() {
   for (const auto& growth : comparison->growths) {
     headings << qtText(growthMethod(growth->options).title);
   }
-  headings << tr("Published, both lungs");
+  headings << tr("Published");
   table_->setColumnCount(methods + 2);
   table_->setHorizontalHeaderLabels(headings);
   for (int i = 0; i < methods + 2; ++i) {
     table_->horizontalHeaderItem(i)->setTextAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    table_->horizontalHeaderItem(i)->setToolTip(
+        i <= methods ? headings[i]
+                     : tr("Of both lungs of an adult; each source where the mouse rests"));
   }
   table_->setRowCount(static_cast<int>(lines.size()));
   QStringList texts;

@@ -67,6 +67,7 @@ class ComparisonPage : public QWidget {
   Column makeColumn(std::size_t method);
   QWidget* makeFoot(const Actions& actions);
   void fillTable();
+  static void elideTitle(const Column& column);
 
   Document& document_;
   QHBoxLayout* row_;
