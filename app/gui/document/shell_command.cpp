@@ -124,24 +124,6 @@ QString segmentLine(const CtSource& ct, const LungOptions& options) {
   return line.output(LabelsName);
 }
 
-/// "40.5,12.9,46.6/50,50"
-std::string textOfShares(const std::map<Side, LobeShares>& shares) {
-  const auto isUsual = [](const auto& entry) { return entry.second == usualShares(entry.first); };
-  if (shares.size() == 2 && std::ranges::all_of(shares, isUsual)) return "usual";
-  std::string text;
-  for (const Side of : {Side::Right, Side::Left}) {
-    const auto wanted = shares.find(of);
-    if (wanted == shares.end()) continue;
-    if (!text.empty()) text += "/";
-    std::string list;
-    for (const double share : wanted->second) {
-      list += (list.empty() ? "" : ",") + textOf(100.0 * share);
-    }
-    text += list;
-  }
-  return text;
-}
-
 /// Splits the lungs of a source by edits, and makes the lobes the source.
 void addLobes(Source& source, const LungModel& model, const LobeEdits& edits) {
   Line line("lobes");
@@ -357,6 +339,23 @@ ShellCommand exportCommand(const Document& document, const ExportWish& wish) {
 }
 
 }  // namespace
+
+std::string textOfShares(const std::map<Side, LobeShares>& shares) {
+  const auto isUsual = [](const auto& entry) { return entry.second == usualShares(entry.first); };
+  if (shares.size() == 2 && std::ranges::all_of(shares, isUsual)) return "usual";
+  std::string text;
+  for (const Side of : {Side::Right, Side::Left}) {
+    const auto wanted = shares.find(of);
+    if (wanted == shares.end()) continue;
+    if (!text.empty()) text += "/";
+    std::string list;
+    for (const double share : wanted->second) {
+      list += (list.empty() ? "" : ",") + textOf(100.0 * share);
+    }
+    text += list;
+  }
+  return text;
+}
 
 ShellCommand compareCommand(const Document& document) {
   if (!document.comparison()) return refused(QObject::tr("Compare methods first."));

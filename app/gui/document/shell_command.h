@@ -2,9 +2,12 @@
 
 #include <QString>
 #include <QStringList>
+#include <map>
+#include <string>
 #include <string_view>
 
 #include "document/export_list.h"
+#include "pipeline/lobe_shares.h"
 #include "render/camera.h"
 
 namespace pneuma {
@@ -37,6 +40,9 @@ QString shellWord(std::string_view text);
 /// comes of them by usual names in the folder where the commands are run. A saved project is what
 /// they read; one that was changed since has to be saved first.
 ShellCommand shellCommand(WorkStep step, const Document& document, const ExportWish& wish = {});
+
+/// Wanted volumes as people type them: "40.5,12.9,46.6/50,50", "usual"; empty for none.
+std::string textOfShares(const std::map<Side, LobeShares>& shares);
 
 /// The commands that grow trees by all methods with the options they were grown with, and compare
 /// them.
