@@ -23,10 +23,11 @@ class ScriptError : public std::runtime_error {
 ///   {seconds}, pause {seconds}, click-branch {index}, click-point {name, point: [x, y, z]},
 ///   drag-point {name, from, to}, drag-mark {index, by: [right, down]}, wheel {name, notches},
 ///   resize {width, height}, screenshot {file}, save-clipboard {file}, expect {name, property |
-///   state, equals | contains | above | below}, wait-until {the same, seconds}, scenario {name}:
-///   what the steps from here on show
-/// `name` is a widget's or action's object name. ${NAME} in a text is an environment variable,
-/// ${OUT} the folder of the screenshots.
+///   state, equals | contains | above | below}, wait-until {the same, seconds, shared}, scenario
+///   {name}: what the steps from here on show
+/// A limit in `seconds` that is `shared` is for a quiet machine: it grows where other programs take
+/// the processor away. `name` is a widget's or action's object name. ${NAME} in a text is an
+/// environment variable, ${OUT} the folder of the screenshots.
 class ScriptPlayer {
  public:
   ScriptPlayer(MainWindow& window, QString outFolder);
