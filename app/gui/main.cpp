@@ -2,6 +2,7 @@
 #include <QScreen>
 #include <QSettings>
 #include <QTimer>
+#include <csignal>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -140,6 +141,9 @@ int runWindow(const CommandLine& line) {
 }  // namespace
 
 int main(int argc, char** argv) {
+#ifdef SIGXFSZ
+  std::signal(SIGXFSZ, SIG_IGN);  // a file larger than allowed is said, and does not end the window
+#endif
   CommandLine line;
   QStringList arguments;
   for (int i = 0; i < argc; ++i) arguments << QString::fromLocal8Bit(argv[i]);

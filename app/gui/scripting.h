@@ -25,9 +25,11 @@ class ScriptError : public std::runtime_error {
 ///   drag-point {name, from, to}, drag-mark {index, by: [right, down]}, wheel {name, notches,
 ///   times}, lap {name} (prints the seconds since the last lap), resize {width, height}, screenshot
 ///   {file}, save-clipboard {file}, expect {name, property | state, equals | contains | above |
-///   below}, wait-until {the same, seconds}
-/// `name` is a widget's or action's object name. ${NAME} in a text is an environment variable,
-/// ${OUT} the folder of the screenshots.
+///   below}, wait-until {the same, seconds, shared}, scenario {name}: what the steps from here on
+///   show
+/// A limit in `seconds` that is `shared` is for a quiet machine: it grows where other programs take
+/// the processor away. `name` is a widget's or action's object name. ${NAME} in a text is an
+/// environment variable, ${OUT} the folder of the screenshots.
 class ScriptPlayer {
  public:
   ScriptPlayer(MainWindow& window, QString outFolder);
@@ -58,6 +60,7 @@ class ScriptPlayer {
   MainWindow& window_;
   QString outFolder_;
   QElapsedTimer lap_;
+  QString scenario_;  ///< that the steps are of, for messages
 };
 
 }  // namespace pneuma

@@ -18,7 +18,8 @@ Json parsed(const std::filesystem::path& path, const std::string& text) {
   try {
     return Json::parse(text);
   } catch (const Json::parse_error& error) {
-    throw InvalidInput(quoted(path) + " is no JSON near byte " + std::to_string(error.byte));
+    throw InvalidInput(quoted(path) + " is no JSON near byte " + std::to_string(error.byte) +
+                       "; it is cut off or damaged");
   } catch (const Json::out_of_range&) {
     throw InvalidInput(quoted(path) + " holds a number that is too large");
   }

@@ -114,9 +114,10 @@ class TreeHandler {
     return true;
   }
 
-  bool parse_error(std::size_t /*position*/, const std::string& /*token*/,
-                   const nlohmann::json::exception& error) {
-    throw InvalidInput(name_ + " is damaged or cut off: " + error.what());
+  bool parse_error(std::size_t position, const std::string& /*token*/,
+                   const nlohmann::json::exception& /*error*/) {
+    throw InvalidInput(name_ + " is damaged or cut off near byte " + std::to_string(position) +
+                       "; get it anew");
   }
 
   TreeFile result() && {

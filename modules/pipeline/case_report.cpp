@@ -187,17 +187,21 @@ Json caseReport(const Project& project, const CaseReportOptions& options,
     const Json lungs = segmentReport(model, state.lungOptions, 0.0, 0.0);
     checks.add("lungs", lungs.at("checks"));
     report["lungs"] = lungs.at("lungs");
+    progress.throwIfStopped();
   }
   if (surfaces) {
     report["volumes"] = volumesOf(model);
     checks.add("surfaces", surfaceChecks(model));
+    progress.throwIfStopped();
   }
   if (model.lobes) {
     checks.add("lobes", lobesReport(model, *model.lobes, state.splitEdits.options).at("checks"));
+    progress.throwIfStopped();
   }
   if (tree) {
-    const TreeMeasurement measured = measureTree(*tree, withGrownRegions(model), options.seed,
-                                                 progress.part(0.0, 0.6, "measuring"));
+    const LungModel grown = withGrownRegions(model);
+    const TreeMeasurement measured =
+        measureTree(*tree, grown, options.seed, progress.part(0.0, 0.6, "measuring"));
     const Json json = toJson(measured);
     report["airways"] = {{"branches", json.at("branches")},
                          {"terminals", json.at("terminals")},

@@ -80,19 +80,50 @@ std::string cellText(const Json& figure, int decimals) {
   return text;
 }
 
+/// Where each mean lies by the published band, if there is one.
+std::vector<BandSide> sidesOf(const FigureLine& line, const std::vector<Json>& reports) {
+  const std::optional<PublishedBand> band = bandOf(line);
+  std::vector<BandSide> sides;
+  for (const Json& report : reports) {
+    const std::optional<double> mean = meanOf(figureAt(report, line.key));
+    const bool known = mean.has_value() && band.has_value() && band->low < band->high;
+    sides.push_back(!known               ? BandSide::NoBand
+                    : *mean < band->low  ? BandSide::Below
+                    : *mean > band->high ? BandSide::Above
+                                         : BandSide::Within);
+  }
+  return sides;
+}
+
 void appendRows(std::span<const FigureLine> lines, const std::vector<Json>& reports,
-                std::vector<Row>& rows) {
+                std::vector<ComparisonRow>& rows) {
   for (const FigureLine& line : lines) {
-    Row row = {std::string(line.label)};
+    ComparisonRow row{std::string(line.key), std::string(line.label), {}, {}, {}, {}};
     for (const Json& report : reports) {
-      row.push_back(cellText(figureAt(report, line.key), line.decimals));
+      row.values.push_back(cellText(figureAt(report, line.key), line.decimals));
     }
-    if (std::all_of(row.begin() + 1, row.end(), [](const auto& cell) { return cell == "-"; })) {
-      continue;
+    if (std::ranges::all_of(row.values, [](const auto& cell) { return cell == "-"; })) continue;
+    row.sides = sidesOf(line, reports);
+    if (const std::vector<std::string> band = bandText(line); !band.empty()) {
+      row.published = band[0];
+      row.source = band[1];
     }
-    for (std::string& column : bandText(line)) row.push_back(std::move(column));
     rows.push_back(std::move(row));
   }
+}
+
+/// The length of all branches together, which no report of a single tree has.
+ComparisonRow lengthRow(const TreeComparison& comparison) {
+  ComparisonRow row{"length_m", "length of all branches, m", {}, {}, {}, {}};
+  for (const ComparedTree& tree : comparison.trees) {
+    double sumMm = 0.0;
+    for (std::size_t i = 0; i < tree.opened.tree->size(); ++i) {
+      sumMm += lengthMm((*tree.opened.tree)[i]);
+    }
+    row.values.push_back(fixed(sumMm / 1000.0, 2));
+  }
+  row.sides.assign(row.values.size(), BandSide::NoBand);
+  return row;
 }
 
 /// The keys of all figures, in the order of the report.
@@ -145,20 +176,37 @@ Json toJson(const TreeComparison& comparison, const LungModel& organ, Json param
   return json;
 }
 
-std::string compareText(const TreeComparison& comparison) {
-  std::vector<Row> rows = {{"quantity"}, {"method"}};
+std::vector<ComparisonRow> comparisonRows(const TreeComparison& comparison) {
   std::vector<Json> trees;
   std::vector<Json> morphometries;
+  for (const ComparedTree& tree : comparison.trees) {
+    trees.push_back(treeJson(tree));
+    morphometries.push_back(trees.back().at("morphometry"));
+  }
+  std::vector<ComparisonRow> rows;
+  appendRows(morphometryLines(), morphometries, rows);
+  const auto terminals = std::ranges::find(rows, "terminals", &ComparisonRow::key);
+  rows.insert(terminals == rows.end() ? terminals : terminals + 1, lengthRow(comparison));
+  appendRows(RegionLines, trees, rows);
+  return rows;
+}
+
+std::string compareText(const TreeComparison& comparison) {
+  std::vector<Row> rows = {{"quantity"}, {"method"}};
   for (const ComparedTree& tree : comparison.trees) {
     const std::string method = tree.opened.method();
     rows[0].push_back(tree.opened.label);
     rows[1].push_back(method.empty() ? "-" : method);
-    trees.push_back(treeJson(tree));
-    morphometries.push_back(trees.back().at("morphometry"));
   }
   rows[0].insert(rows[0].end(), {"published", "source"});
-  appendRows(morphometryLines(), morphometries, rows);
-  appendRows(RegionLines, trees, rows);
+  for (ComparisonRow& figure : comparisonRows(comparison)) {
+    Row row = {std::move(figure.label)};
+    std::ranges::move(figure.values, std::back_inserter(row));
+    if (!figure.published.empty()) {
+      row.insert(row.end(), {std::move(figure.published), std::move(figure.source)});
+    }
+    rows.push_back(std::move(row));
+  }
   return textTable(rows) +
          "Summaries are mean +- sd. Published figures are those of both lungs of an adult.\n";
 }

@@ -57,6 +57,22 @@ TreeComparison compareTrees(std::vector<OpenedTree> trees, const LungModel& orga
 Json toJson(const TreeComparison& comparison, const LungModel& organ,
             Json parameters = Json::object());
 
+/// Where a figure lies by what was published.
+enum class BandSide { NoBand, Below, Within, Above };
+
+/// One figure of every tree.
+struct ComparisonRow {
+  std::string key;                  ///< its place in the JSON report, levels joined by slashes
+  std::string label;                ///< for people, with the unit
+  std::vector<std::string> values;  ///< one for each tree; "-" where it is not known
+  std::vector<BandSide> sides;      ///< likewise; a single published value is no band
+  std::string published;            ///< "2.5 to 2.8"; empty if there is none
+  std::string source;
+};
+
+/// The figures of the table for people, in its order; those that no tree has are left out.
+std::vector<ComparisonRow> comparisonRows(const TreeComparison& comparison);
+
 /// One table for people: quantity, one column for each tree, the published band and its source.
 std::string compareText(const TreeComparison& comparison);
 

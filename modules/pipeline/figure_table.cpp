@@ -109,16 +109,21 @@ std::optional<double> meanOf(const Json& figure) {
   return std::nullopt;
 }
 
-std::vector<std::string> bandText(const FigureLine& line) {
+std::optional<PublishedBand> bandOf(const FigureLine& line) {
   std::string quantity(line.key);
   std::ranges::replace(quantity, '/', '.');
   for (const PublishedBand& band : publishedBands()) {
-    if (band.quantity != quantity && band.quantity != quantity + ".mean") continue;
-    std::string text = textOf(band.low);
-    if (band.high > band.low) text += " to " + textOf(band.high);
-    return {text, std::string(band.source)};
+    if (band.quantity == quantity || band.quantity == quantity + ".mean") return band;
   }
-  return {};
+  return std::nullopt;
+}
+
+std::vector<std::string> bandText(const FigureLine& line) {
+  const std::optional<PublishedBand> band = bandOf(line);
+  if (!band.has_value()) return {};
+  std::string text = textOf(band->low);
+  if (band->high > band->low) text += " to " + textOf(band->high);
+  return {text, std::string(band->source)};
 }
 
 std::string fixed(double value, int decimals) {

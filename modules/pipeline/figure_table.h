@@ -44,7 +44,10 @@ Json figureAt(const Json& report, std::string_view key);
 /// A figure, or the mean of a summary; nothing if it is not known.
 std::optional<double> meanOf(const Json& figure);
 
-/// The published band of a figure or of its mean, and its source; empty if there is none.
+/// The published band of a figure or of its mean, if there is one.
+std::optional<PublishedBand> bandOf(const FigureLine& line);
+
+/// The same as texts, the band and its source; empty if there is none.
 std::vector<std::string> bandText(const FigureLine& line);
 
 /// `value` with `decimals` behind the point.

@@ -15,6 +15,7 @@
 #include "io/tree_file.h"
 #include "io/volume_file.h"
 #include "pipeline/ct_model.h"
+#include "pipeline/figure_table.h"
 #include "pipeline/lobe_parts.h"
 #include "pipeline/project.h"
 
@@ -37,6 +38,18 @@ std::vector<fs::path> lobeFilesIn(const fs::path& folder) {
     return !isSurfaceFileName(file) || !lobeOfFileName(file.filename().string()).has_value();
   });
   return files;
+}
+
+/// @throws InvalidInput for a folder that has no slices of a CT and no lobes
+void requireSomethingIn(const fs::path& folder) {
+  if (!lobeFilesIn(folder).empty()) return;
+  const std::size_t files = filesIn(folder).size();
+  throw InvalidInput(
+      "the folder " + quoted(folder) + " holds neither slices of a CT nor a lobe " + "surface, " +
+      (files == 0 ? "no file at all"
+                  : "only " + std::to_string(files) + " other " + (files == 1 ? "file" : "files")) +
+      "; slices are DICOM, and the names of lobes' files must carry rul, rml, rll, "
+      "lul or lll and end in .stl, .obj, .ply or .vtp");
 }
 
 std::vector<fs::path> expanded(std::span<const fs::path> paths) {
@@ -83,8 +96,7 @@ std::vector<Lobe> lobesOf(const std::vector<fs::path>& files) {
 void requireFit(const LobeSurface& surface) {
   const MeshReport& health = surface.health;
   if (health.unitsGuess == "m") {
-    throw InvalidInput("'" + surface.name + "' is " +
-                       std::to_string(health.box.sizes().maxCoeff()) +
+    throw InvalidInput("'" + surface.name + "' is " + fixed(health.box.sizes().maxCoeff(), 2) +
                        " mm large: it seems to be in metres; convert it with 'pneuma export "
                        "--from-units m'");
   }
@@ -278,6 +290,7 @@ LungModel openFiles(std::span<const fs::path> paths, const CtReading& reading,
     if (isCtPath(path)) {
       (isLabelFile(path) ? labels : cts).push_back(path);
     } else if (isFolder(path)) {
+      requireSomethingIn(path);
       surfaces.push_back(path);
       for (const fs::path& file : filesIn(path)) {
         if (file.stem() == "central") trees.push_back(file);

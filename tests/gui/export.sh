@@ -58,7 +58,8 @@ copied figure
 
 # From a CT on: every command builds on the one before.
 cat >"$FOLDER/ct.json" <<'END'
-[{"do": "open", "paths": ["${CT}"]}, {"do": "wait", "seconds": 300},
+[{"do": "scenario", "name": "commands from a CT to a tree, and its labels exported"},
+ {"do": "open", "paths": ["${CT}"]}, {"do": "wait", "seconds": 300},
  {"do": "click", "name": "stepOpen"}, {"do": "click", "name": "copyCommand"},
  {"do": "save-clipboard", "file": "open.txt"},
  {"do": "click", "name": "stepLungs"}, {"do": "click", "name": "copyCommand"},

@@ -32,7 +32,8 @@ wait $window 2>/dev/null
 [ "$(stat -c %a "$kept")" = 700 ] || fail "others may look into the folder"
 
 cat >"$folder/again.json" <<'END'
-[{"do": "expect", "name": "recoverQuestion", "property": "visible", "equals": true},
+[{"do": "scenario", "name": "work that was lost is offered and recovered"},
+ {"do": "expect", "name": "recoverQuestion", "property": "visible", "equals": true},
  {"do": "screenshot", "file": "01_offered"},
  {"do": "click", "name": "recoverOpen"}, {"do": "wait"},
  {"do": "expect", "name": "errorCard", "property": "visible", "equals": false},
@@ -50,7 +51,8 @@ END
 
 # Whoever quits was asked: nothing is offered any more once the work is given up.
 cat >"$folder/discard.json" <<'END'
-[{"do": "click", "name": "recoverDiscard"}, {"do": "pause", "seconds": 0.1}]
+[{"do": "scenario", "name": "work that was lost is thrown away"},
+ {"do": "click", "name": "recoverDiscard"}, {"do": "pause", "seconds": 0.1}]
 END
 if ls "$kept"/*.pneuma >/dev/null 2>&1; then
   "$DESKTOP" --play "$folder/discard.json" || fail "it cannot be thrown away"

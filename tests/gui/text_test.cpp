@@ -5,6 +5,12 @@
 namespace pneuma {
 namespace {
 
+TEST(WithCommands, SaysWhichCommandHasAnOption) {
+  EXPECT_EQ(withCommands("2 slices are missing; let them be interpolated (--fill-gaps)"),
+            "2 slices are missing; let them be interpolated by 'pneuma import --fill-gaps'");
+  EXPECT_EQ(withCommands("the ball (R) is fine (-1)"), "the ball (R) is fine (-1)");
+}
+
 TEST(Text, NumbersAreGroupedAndCarryTheirUnit) {
   EXPECT_EQ(grouped(29953), "29,953");
   EXPECT_EQ(withUnit(1234.56, 1, "mm"), "1,234.6 mm");

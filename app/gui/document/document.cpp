@@ -60,7 +60,9 @@ Document::Document(QObject* parent) : QObject(parent) {
     followingLungs_ = false;
     correctingLungs_ = false;
     drawingSeries_ = false;
+    comparing_ = false;
   });
+  connect(this, &Document::changed, this, &Document::dropComparison);
   // Whether something can be undone depends on the queue being idle.
   connect(&jobs_, &JobQueue::busyChanged, this, &Document::changed);
 }
@@ -207,7 +209,7 @@ void Document::saveFile(const std::filesystem::path& path, std::string content) 
 }
 
 void Document::fail(const QString& title, const QString& sentence) {
-  emit failed(title, withoutFolders(sentence, touched_));
+  emit failed(title, withCommands(withoutFolders(sentence, touched_)));
 }
 
 void Document::become(Snapshot next, const QString& stepName, StepKind kind) {

@@ -22,6 +22,8 @@
 
 namespace pneuma {
 
+struct MethodComparison;
+
 /// One person's lungs as the window works on them: the snapshot shown, what was before it and what
 /// was undone, the options of the next growth, and the jobs. Needs no display.
 class Document : public QObject {
@@ -221,6 +223,25 @@ class Document : public QObject {
   /// Grows airways with growthOptions(). Can be undone.
   void grow();
 
+  /// Grows a tree by every method with its present options, in the lobes that are open, and
+  /// measures them: what is shown stays. Those that are there already are told of at once.
+  void compareMethods();
+
+  /// The trees of compareMethods(); null if there are none, or lobes and central airways are others
+  /// now.
+  const std::shared_ptr<const MethodComparison>& comparison() const { return comparison_; }
+
+  /// True while trees are grown to be compared.
+  bool comparing() const { return comparing_; }
+
+  /// Makes one of the compared trees the case's, and its options those of the next growth. Can be
+  /// undone. Not while a job runs.
+  /// @param method its place in the comparison
+  void keepCompared(std::size_t method);
+
+  /// Writes the figures of the compared trees as `pneuma compare --csv` does.
+  void saveComparison(const std::filesystem::path& path);
+
   /// Makes lungs and airways breathe with breatheOptions(). Can be undone.
   void breathe();
 
@@ -297,6 +318,9 @@ class Document : public QObject {
   void growthOptionsChanged();
   void lungOptionsChanged();
   void breatheOptionsChanged();
+
+  /// The trees to compare are there.
+  void compared();
 
   /// The tree shown is in a file now.
   void treeWasSaved();
@@ -381,6 +405,9 @@ class Document : public QObject {
   /// False, and says so, if fissures cannot be edited because of another job.
   bool mayEdit();
   bool sheetsKnown() const;
+  /// Forgets compared trees that grew in other lobes, or from other central airways, than there
+  /// are.
+  void dropComparison();
   /// Makes the snapshot's regions those of the next breath.
   void followRegions();
   void fail(const QString& title, const QString& sentence);
@@ -398,6 +425,9 @@ class Document : public QObject {
   bool correctingLungs_ = false;  ///< by a job
   int supersededFollowing_ = 0;   ///< jobs that are cancelled because there are newer corrections
   bool drawingSeries_ = false;
+  bool comparing_ = false;
+  std::shared_ptr<const MethodComparison> comparison_;
+  LungModel comparedIn_;     ///< the model as it was shown then
   bool superseded_ = false;  ///< the job that is cancelled makes way for the next
   CtSheets sheets_;
   std::vector<Step> undo_;

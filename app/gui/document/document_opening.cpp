@@ -39,7 +39,10 @@ LungModel joined(const LungModel& open, LungModel read) {
     both.lungs = nullptr;
     both.corrections = nullptr;
     if (!open.ct) {
-      throw InvalidInput("these are labels, not a CT; open the CT that they belong to first");
+      const std::string name = read.inputs.empty()
+                                   ? "this"
+                                   : "'" + fileNameOf(read.inputs.front().path).toStdString() + "'";
+      throw InvalidInput(name + " holds labels, not a CT; open the CT that they belong to first");
     }
     requireSamePlace(both);
     addRecord(both, read);

@@ -158,7 +158,7 @@ void Document::showProject(Project project, const std::filesystem::path& path, O
   if (project.notes.empty()) return;
   QStringList sentences;
   for (const std::string& note : project.notes) sentences << qtText(note);
-  const QString title = tr("Open the project");
+  const QString title = tr("Opening the project");
   const QString all = sentences.join(QLatin1Char(' '));
   if (ctMissing()) {
     emit ctMissed(title, all);

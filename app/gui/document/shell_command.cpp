@@ -8,6 +8,7 @@
 
 #include "document/document.h"
 #include "document/text.h"
+#include "pipeline/compare_methods.h"
 #include "pipeline/fissure_snapping.h"
 #include "pipeline/lobe_shares.h"
 
@@ -211,7 +212,8 @@ Source sourceOf(const Document& document) {
 
 ShellCommand refused(const QString& sentence) { return {{}, sentence}; }
 
-QString growLine(const Source& source, const GrowthOptions& options) {
+QString growLine(const Source& source, const GrowthOptions& options,
+                 const std::string& output = TreeName) {
   Line line("grow");
   line.files(source.surfaces);
   if (!source.organ.empty()) line.option("organ", source.organ);
@@ -228,7 +230,7 @@ QString growLine(const Source& source, const GrowthOptions& options) {
         });
       },
       options);
-  return line.output(TreeName);
+  return line.output(output);
 }
 
 std::string textOfRegion(const StiffnessRegion& region) {
@@ -370,6 +372,23 @@ ShellCommand exportCommand(const Document& document, const ExportWish& wish) {
 }
 
 }  // namespace
+
+ShellCommand compareCommand(const Document& document) {
+  if (!document.comparison()) return refused(QObject::tr("Compare methods first."));
+  Source source = sourceOf(document);
+  if (!source.obstacle.isEmpty()) return refused(source.obstacle);
+  if (source.nothing()) return refused(saveFirst());
+  Line line("compare");
+  for (const auto& growth : document.comparison()->growths) {
+    const std::string tree = std::string(growthMethod(growth->options).name) + ".vtp";
+    source.lines << growLine(source, growth->options, tree);
+    line.file(tree);
+  }
+  for (const std::string& surface : source.surfaces) line.option("domain", surface);
+  if (!source.organ.empty()) line.option("organ", source.organ);
+  line.add("--csv");
+  return {source.lines << line.output("comparison.csv"), {}};
+}
 
 QString shellWord(std::string_view text) {
   const auto plain = [](unsigned char c) {

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "document/export_list.h"
+#include "pipeline/lobe_shares.h"
 #include "render/camera.h"
 
 namespace pneuma {
@@ -39,5 +40,9 @@ QString shellWord(std::string_view text);
 /// comes of them by usual names in the folder where the commands are run. A saved project is what
 /// they read; one that was changed since has to be saved first.
 ShellCommand shellCommand(WorkStep step, const Document& document, const ExportWish& wish = {});
+
+/// The commands that grow trees by all methods with the options they were grown with, and compare
+/// them.
+ShellCommand compareCommand(const Document& document);
 
 }  // namespace pneuma

@@ -1,6 +1,7 @@
 #include "document/text.h"
 
 #include <QLocale>
+#include <QRegularExpression>
 
 namespace pneuma {
 
@@ -48,6 +49,12 @@ QString organTitle(std::string_view name) {
 QString fileNameOf(const std::filesystem::path& path) {
   const auto last = path.has_filename() ? path.filename() : path.parent_path().filename();
   return qtText(last.string());
+}
+
+QString withCommands(QString sentence) {
+  static const QRegularExpression option(
+      QStringLiteral("\\((--(?:fill-gaps|fix-tilt|resample))\\)"));
+  return sentence.replace(option, QStringLiteral("by 'pneuma import \\1'"));
 }
 
 QString withoutFolders(QString sentence, const std::vector<std::filesystem::path>& paths) {

@@ -33,6 +33,10 @@ QString organTitle(std::string_view name);
 /// The last part of a path only: folders often carry a patient's name.
 QString fileNameOf(const std::filesystem::path& path);
 
+/// A sentence with options of the command line in brackets, "(--fill-gaps)", that says of which
+/// command they are.
+QString withCommands(QString sentence);
+
 /// A sentence about files, with the folders of `paths`, and those among them, left out.
 QString withoutFolders(QString sentence, const std::vector<std::filesystem::path>& paths);
 

@@ -115,6 +115,8 @@ Actions makeActions(QWidget* window) {
   makeFissureActions(a, window);
   a.splitLobes = action(window, "actionSplitLobes", tr("&Split into lobes"), {keys("Ctrl+B")});
   a.grow = action(window, "actionGrow", tr("&Grow airways"), {keys("Ctrl+Return")});
+  a.compareMethods =
+      action(window, "actionCompareMethods", tr("Compare &methods"), {keys("Ctrl+M")});
   a.breathe = action(window, "actionBreathe", tr("&Breathe"), {keys("Ctrl+Shift+B")});
   a.playBreath = action(window, "actionPlayBreath", tr("&Play the breath"), {}, "play");
   a.playBreath->setCheckable(true);
@@ -180,7 +182,7 @@ void fillMenus(QMenuBar& bar, const Actions& a) {
   edit->addSeparator();
   edit->addActions({a.placePoints, a.snap, a.review, a.looksRight, a.editHere, a.acceptFissures});
   edit->addSeparator();
-  edit->addActions({a.findLungs, a.splitLobes, a.grow, a.breathe, a.cancel});
+  edit->addActions({a.findLungs, a.splitLobes, a.grow, a.compareMethods, a.breathe, a.cancel});
   QMenu* view = bar.addMenu(QObject::tr("&View"));
   QMenu* steps = view->addMenu(QObject::tr("S&teps"));
   for (QAction* step : a.steps) steps->addAction(step);

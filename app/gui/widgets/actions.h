@@ -64,6 +64,7 @@ struct Actions {
   QAction* editHere = nullptr;
   QAction* acceptFissures = nullptr;
   QAction* grow = nullptr;
+  QAction* compareMethods = nullptr;
   QAction* breathe = nullptr;
   QAction* playBreath = nullptr;  ///< checkable; its key acts in the 3-D view
   QAction* onionSkin = nullptr;   ///< checkable

@@ -20,7 +20,7 @@ constexpr int CommandRowHeight = 34;
 constexpr int MostRows = 11;
 constexpr int PaletteWidth = 720;
 constexpr int SideGap = 12;
-constexpr int Gap = 14;
+constexpr int ColumnGap = 14;
 constexpr int TickWidth = 20;
 
 enum CommandRole {
@@ -63,8 +63,9 @@ class CommandPainter : public QStyledItemDelegate {
     painter->setPen(theme.dim);
     const QString group = index.data(GroupRole).toString();
     painter->drawText(row, Qt::AlignRight | Qt::AlignVCenter, group);
-    row.setRight(row.right() - option.fontMetrics.horizontalAdvance(group) - Gap);
-    row.setLeft(drawTitle(*painter, option, row, index, usable ? theme.text : theme.dim) + Gap);
+    row.setRight(row.right() - option.fontMetrics.horizontalAdvance(group) - ColumnGap);
+    row.setLeft(drawTitle(*painter, option, row, index, usable ? theme.text : theme.dim) +
+                ColumnGap);
     const QString obstacle = index.data(ObstacleRole).toString();
     if (!obstacle.isEmpty() && row.width() > 40) {
       painter->setFont(option.font);
@@ -91,7 +92,7 @@ class CommandPainter : public QStyledItemDelegate {
       painter.drawText(box, Qt::AlignCenter, *chip);
       right -= width + 5;
     }
-    return chips.isEmpty() ? right : right - Gap + 5;
+    return chips.isEmpty() ? right : right - ColumnGap + 5;
   }
 
   /// The title with the letters that were found. @return where it ends

@@ -1,6 +1,8 @@
 #include "widgets/dialogs.h"
 
+#include <QDir>
 #include <QFileDialog>
+#include <QFileInfo>
 #include <QMessageBox>
 #include <QPushButton>
 #include <utility>
@@ -119,7 +121,23 @@ void askWhereToSave(QWidget* parent, const QString& title, const QString& filter
     const int dot = filter.lastIndexOf(QLatin1String("*.")) + 2;
     dialog->setDefaultSuffix(filter.mid(dot, filter.lastIndexOf(QLatin1Char(')')) - dot));
   });
-  QObject::connect(dialog, &QFileDialog::fileSelected, parent, std::move(chosen));
+  // Qt adds no suffix in a folder with a dot in its name, and has not asked of the file with one.
+  QObject::connect(dialog, &QFileDialog::fileSelected, parent,
+                   [parent, dialog, chosen = std::move(chosen)](const QString& name) {
+                     const QFileInfo typed(name);
+                     if (typed.fileName().contains(QLatin1Char('.'))) {
+                       chosen(name);
+                       return;
+                     }
+                     const QFileInfo whole(name + QLatin1Char('.') + dialog->defaultSuffix());
+                     const QString path = whole.filePath();
+                     if (!whole.exists()) {
+                       chosen(path);
+                       return;
+                     }
+                     askBeforeReplacing(parent, whole.dir().dirName(), {whole.fileName()},
+                                        [chosen, path] { chosen(path); });
+                   });
   dialog->open();
 }
 

@@ -87,6 +87,7 @@ void ErrorCard::place() {
   const int width = std::min(560, parentWidget()->width() - 48);
   setFixedWidth(width);
   sentence_->setFixedHeight(sentence_->heightForWidth(width - 34));
+  layout()->activate();  // or a long sentence before leaves its height
   adjustSize();
   move((parentWidget()->width() - width) / 2, DistanceFromTop);
 }

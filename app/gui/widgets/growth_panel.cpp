@@ -113,6 +113,12 @@ QLayout* GrowthPanel::makeButtons(const Actions& actions) {
   auto* buttons = new QHBoxLayout;
   buttons->setSpacing(8);
   buttons->addWidget(actionButton(actions.grow, "grow", "primary"), 1);
+  auto* compare = actionButton(actions.compareMethods, "compareMethods");
+  compare->setText(tr("Compare"));
+  connect(actions.compareMethods, &QAction::changed, compare,
+          [compare] { compare->setText(tr("Compare")); });
+  connect(&document_.jobs(), &JobQueue::busyChanged, compare, &QWidget::setHidden);
+  buttons->addWidget(compare);
   auto* cancel = actionButton(actions.cancel, "growCancel");
   cancel->setText(tr("Cancel"));
   connect(&document_.jobs(), &JobQueue::busyChanged, cancel, &QWidget::setVisible);

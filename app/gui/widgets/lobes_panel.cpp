@@ -17,6 +17,7 @@
 #include "core/error.h"
 #include "document/lobes_sheet.h"
 #include "document/review_walk.h"
+#include "document/shell_command.h"
 #include "document/text.h"
 #include "pipeline/lobe_shares.h"
 #include "widgets/action_button.h"
@@ -250,6 +251,14 @@ void LobesPanel::addSplit(QBoxLayout& column, const Actions& actions) {
   column.addWidget(note_);
 }
 
+bool LobesPanel::showsShares() const {
+  try {
+    return lobeSharesOfText(shares_->text().trimmed().toStdString()) == editor_.edits().shares;
+  } catch (const InvalidOption&) {
+    return false;
+  }
+}
+
 void LobesPanel::takeShares() {
   try {
     editor_.setShares(lobeSharesOfText(shares_->text().trimmed().toStdString()));
@@ -268,8 +277,8 @@ void LobesPanel::follow() {
   if (!smoothness_->isSliderDown()) smoothness_->setValue(stepOf(smoothness));
   smoothnessValue_->setText(
       QString::number(static_cast<double>(smoothness_->value()) / SmoothnessSteps, 'f', 2));
-  if (editor_.edits().shares.empty() && !shares_->hasFocus() && sharesNote_->isHidden()) {
-    shares_->clear();
+  if (!shares_->hasFocus() && sharesNote_->isHidden() && !showsShares()) {
+    shares_->setText(qtText(textOfLobeShares(editor_.edits().shares)));
   }
   note_->setText(note());
   note_->setVisible(!note_->text().isEmpty());

@@ -41,6 +41,8 @@ class LobesPanel : public QWidget {
   void addSplit(QBoxLayout& column, const Actions& actions);
   void follow();
   void takeShares();
+  /// True if the volumes that stand in their box are those that are wanted.
+  bool showsShares() const;
   void followReview();
   /// Gives the column the height that it needs.
   void fit();

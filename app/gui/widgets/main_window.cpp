@@ -14,6 +14,7 @@
 #include "io/atomic_file.h"
 #include "pipeline/lobes_model.h"
 #include "views/model_scene.h"
+#include "widgets/comparison_page.h"
 #include "widgets/ct_views.h"
 #include "widgets/dialogs.h"
 #include "widgets/error_card.h"
@@ -53,6 +54,7 @@ void MainWindow::setTheme(ThemeName name) {
   SceneOptions options = view_->options();
   options.background = name == ThemeName::Dark ? Background::Dark : Background::Light;
   view_->setOptions(options);
+  comparisonPage_->setOptions(options);
 }
 
 void MainWindow::connectActions() {
@@ -178,6 +180,7 @@ void MainWindow::connectFissures() {
 }
 
 void MainWindow::goTo(Step step) {
+  if (step != AirwaysStep) closeComparison();
   if (step != LungsStep) lungsPanel_->endPreview();
   activateLungTools(step == LungsStep);
   if (!document_.jobs().busy()) document_.followLungs();
@@ -330,6 +333,8 @@ void MainWindow::cancel() {
   } else if (document_.jobs().busy()) {
     document_.jobs().cancel();
     status_->say(tr("Stopping..."));
+  } else if (comparing()) {
+    closeComparison();
   } else {
     selectBranch(std::nullopt);
   }

@@ -30,6 +30,7 @@ namespace pneuma {
 class BreathBar;
 class BreathChart;
 class CommandPalette;
+class ComparisonPage;
 class CtViews;
 class ErrorCard;
 class ExportPanel;
@@ -117,6 +118,7 @@ class MainWindow : public QMainWindow {
   void connectExport();
   void connectCommands();
   void connectOpening();
+  void connectComparison();
 
   void goTo(Step step);
   /// The views, or the start page where there is nothing to see.
@@ -172,6 +174,10 @@ class MainWindow : public QMainWindow {
   ShellCommand commandNow() const;
   void copyCommand();
   void updateExportActions();
+  /// True while trees of all methods are shown beside each other, in place of the usual views.
+  bool comparing() const;
+  void showComparison();
+  void closeComparison();
 
   Document document_;
   StructureModel structures_;
@@ -209,6 +215,7 @@ class MainWindow : public QMainWindow {
   SliceBar* sliceBar_ = nullptr;
   CtViews* ctViews_ = nullptr;
   FissureViews* fissureViews_ = nullptr;
+  ComparisonPage* comparisonPage_ = nullptr;
   ErrorCard* errorCard_ = nullptr;
   StructureView* structureView_ = nullptr;
   QLabel* propertiesHeading_ = nullptr;

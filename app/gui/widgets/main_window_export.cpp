@@ -56,6 +56,7 @@ void MainWindow::exportCase() {
 }
 
 ShellCommand MainWindow::commandNow() const {
+  if (comparing()) return compareCommand(document_);
   ExportWish wish;
   wish.kind = exportPanel_->kind();
   wish.identify = exportPanel_->identify();

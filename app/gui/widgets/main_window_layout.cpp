@@ -262,6 +262,7 @@ MainWindow::MainWindow() : actions_(makeActions(this)) {
   connectExport();
   connectCommands();
   connectOpening();
+  connectComparison();
   goTo(OpenStep);
   showSnapshot();
   status_->say(tr("Ready"));

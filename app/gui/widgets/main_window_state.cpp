@@ -39,6 +39,9 @@ void MainWindow::updateActions() {
         busy ? wait : tr("Open whole lungs or find them in a CT first"));
   allow(*actions_.grow, lobes && !busy, tr("Grow airways from the central ones into the lobes"),
         busy ? wait : tr("Open lobe surfaces or an organ first"));
+  allow(*actions_.compareMethods, lobes && !busy,
+        tr("Grow a tree by every method and see them beside each other; nothing is changed"),
+        busy ? wait : tr("Open lobe surfaces or an organ first"));
   allow(*actions_.saveTree, tree && !busy, tr("Save the tree that is shown"),
         busy ? wait : tr("There is no tree to save yet"));
   allow(*actions_.savePicture, shown && view_->obstacle().isEmpty(), {},
@@ -50,8 +53,9 @@ void MainWindow::updateActions() {
   allow(*actions_.packCt, ct && !busy, {}, busy ? wait : tr("Open a CT first"));
   for (QAction* recent : actions_.recents) recent->setEnabled(!busy);
   allow(*actions_.cancel,
-        busy || branch_ || lungEditor_.tool() != LungEditor::Tool::None || fissures_.placing() ||
-            review_.active() || regions_.placing() != RegionEditor::Placing::Nothing,
+        busy || branch_ || comparing() || lungEditor_.tool() != LungEditor::Tool::None ||
+            fissures_.placing() || review_.active() ||
+            regions_.placing() != RegionEditor::Placing::Nothing,
         {}, tr("Nothing is running"));
   allow(*actions_.undo, document_.canUndo(), {}, busy ? wait : tr("Nothing was done yet"));
   actions_.undo->setText(tr("&Undo %1").arg(document_.undoName()).trimmed());

@@ -14,6 +14,7 @@
 
 class QLabel;
 class QVTKOpenGLNativeWidget;
+class vtkCamera;
 
 namespace pneuma {
 
@@ -80,6 +81,14 @@ class SceneView : public QWidget {
   std::size_t previewed() const { return scene_->previewed(); }
 
   const SceneOptions& options() const { return scene_->options(); }
+
+  /// Trees that are shown beside this one's, at the same scale (Scene::setPeers()).
+  void setPeers(std::vector<std::shared_ptr<const AirwayTree>> peers);
+
+  /// Draws before long, coarsely for now or not, because somebody else moved the camera.
+  void follow(bool coarse);
+
+  vtkCamera* camera() const;
 
   void select(std::optional<std::size_t> branch);
   void look(ViewDirection direction);
