@@ -15,7 +15,8 @@ fail() {
 mkdir "$FOLDER/before" "$FOLDER/after" "$FOLDER/others"
 cp -r "$CT" "$FOLDER/before/scan"
 cat >"$FOLDER/make.json" <<'END'
-[{"do": "open", "paths": ["${FOLDER}/before/scan"]}, {"do": "wait", "seconds": 300},
+[{"do": "scenario", "name": "a project links its CT"},
+ {"do": "open", "paths": ["${FOLDER}/before/scan"]}, {"do": "wait", "seconds": 300},
  {"do": "trigger", "name": "actionSaveProject"},
  {"do": "set", "name": "fileNameEdit", "value": "${FOLDER}/case.pneuma"},
  {"do": "pause", "seconds": 0.5},
@@ -34,7 +35,8 @@ printf '\1' | dd of="$first" bs=1 seek=$((size - 1000)) conv=notrunc status=none
 grep -q 'not found' "$FOLDER/info.txt" || fail "info does not say that the CT is missing"
 
 cat >"$FOLDER/locate.json" <<'END'
-[{"do": "open", "paths": ["${FOLDER}/case.pneuma"]}, {"do": "wait", "seconds": 300},
+[{"do": "scenario", "name": "a CT that moved: another one is refused"},
+ {"do": "open", "paths": ["${FOLDER}/case.pneuma"]}, {"do": "wait", "seconds": 300},
  {"do": "expect", "name": "errorCard", "property": "visible", "equals": true},
  {"do": "expect", "name": "errorSentence", "contains": "is not where it was"},
  {"do": "expect", "name": "stepOpen", "property": "accessibleName", "contains": "CT not found"},
@@ -47,6 +49,7 @@ cat >"$FOLDER/locate.json" <<'END'
  {"do": "expect", "name": "errorSentence", "contains": "is another CT"},
  {"do": "screenshot", "file": "03_another"},
  {"do": "click", "name": "errorClose"},
+ {"do": "scenario", "name": "a CT that moved: it is found and remembered"},
  {"do": "click", "name": "stepOpen"},
  {"do": "click", "name": "locateCt"},
  {"do": "set", "name": "fileNameEdit", "value": "${FOLDER}/after/scan"},

@@ -28,7 +28,8 @@ END
 
 {
   cat <<'END'
-[{"do": "open", "paths": ["${CT}"]}, {"do": "wait", "seconds": 600},
+[{"do": "scenario", "name": "a lung is painted, fissures are set, a tree is grown, for a recipe"},
+ {"do": "open", "paths": ["${CT}"]}, {"do": "wait", "seconds": 600},
  {"do": "click", "name": "stepLungs"}, {"do": "click", "name": "brush"},
  {"do": "set", "name": "brushRadius", "value": 8}, {"do": "set", "name": "brushLung", "value": "Right"},
  {"do": "drag-point", "name": "slice_axial", "from": [-120, 0, 0], "to": [-125, 25, 0]},
@@ -53,6 +54,7 @@ END
   for preset in tree segmentation recipe print; do export_step $preset; done
   cat <<'END'
  {"do": "screenshot", "file": "01_recipe"},
+ {"do": "scenario", "name": "another method in a recipe"},
  {"do": "click", "name": "stepAirways"}, {"do": "click", "name": "method_kitaoka"},
  {"do": "set", "name": "option_terminals", "value": 500},
  {"do": "click", "name": "grow"}, {"do": "wait", "seconds": 300},
