@@ -32,7 +32,7 @@ END
  {"do": "open", "paths": ["${CT}"]}, {"do": "wait", "seconds": 600},
  {"do": "click", "name": "stepLungs"}, {"do": "click", "name": "brush"},
  {"do": "set", "name": "brushRadius", "value": 8}, {"do": "set", "name": "brushLung", "value": "Right"},
- {"do": "drag-point", "name": "slice_axial", "from": [-120, 0, 0], "to": [-125, 25, 0]},
+ {"do": "drag-point", "name": "slice_coronal", "from": [-20, 10, -100], "to": [-10, 10, -110]},
  {"do": "wait", "seconds": 300}, {"do": "expect", "state": "lungEdits", "equals": 1},
  {"do": "click", "name": "stepLobes"}, {"do": "click", "name": "edit_right-oblique"},
  {"do": "click-point", "name": "slice_axial", "point": [-75.6, 14.3, 0]},
