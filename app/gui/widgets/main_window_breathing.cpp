@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "document/text.h"
+#include "views/model_scene.h"
 #include "widgets/breath_bar.h"
 #include "widgets/dialogs.h"
 #include "widgets/error_card.h"
@@ -10,7 +11,6 @@
 #include "widgets/main_window.h"
 #include "widgets/scene_view.h"
 #include "widgets/step_button.h"
-#include "views/model_scene.h"
 
 // What the window does for breathing.
 namespace pneuma {
