@@ -22,12 +22,11 @@
 #include <QScreen>
 #include <QTimer>
 #include <QWheelEvent>
-#include <algorithm>
 #include <cstdio>
-#include <ctime>
 #include <utility>
 #include <vector>
 
+#include "machine_load.h"
 #include "widgets/main_window.h"
 #include "widgets/scene_view.h"
 #include "widgets/slice_view.h"
@@ -46,23 +45,6 @@ void spin(double seconds) {
   QEventLoop loop;
   QTimer::singleShot(static_cast<int>(1000.0 * seconds), &loop, &QEventLoop::quit);
   loop.exec();
-}
-
-/// Wall time over processor time of a short piece of work: 1 on a quiet machine, more where other
-/// programs take the processor away.
-double machineLoad() {
-  constexpr double WorkSeconds = 0.1;
-  const auto worked = [] {
-    timespec now{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-  };
-  QElapsedTimer wall;
-  wall.start();
-  const double before = worked();
-  while (worked() - before < WorkSeconds) {
-  }
-  return std::max(1.0, static_cast<double>(wall.elapsed()) / 1000.0 / WorkSeconds);
 }
 
 void clickAt(QWidget& target, const QPoint& at) {

@@ -111,7 +111,7 @@ TEST_F(ComparisonTest, ACancelledOneLeavesNothing) {
   clock.start();
   document.jobs().cancel();
   wait();
-  EXPECT_LT(clock.elapsed(), 500 * testing::machineLoad());
+  EXPECT_LT(clock.elapsed(), 500 * machineLoad());
   EXPECT_EQ(document.comparison(), nullptr);
   EXPECT_EQ(document.model().growth, nullptr);
 }

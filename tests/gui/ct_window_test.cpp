@@ -182,7 +182,7 @@ TEST_F(CtWindowTest, TheThresholdIsSeenOnTheSlicesAtOnce) {
   find<QSlider>("threshold").setValue(-700);
   const QImage preview = slice("slice_axial").picture();
   const auto elapsedMs = static_cast<double>(clock.elapsed());  // before the load is measured
-  EXPECT_LT(elapsedMs, 300.0 * testing::machineLoad());
+  EXPECT_LT(elapsedMs, 300.0 * machineLoad());
   EXPECT_NE(preview, before);
   EXPECT_EQ(find<QDoubleSpinBox>("option_threshold").value(), -700.0);
   EXPECT_TRUE(find<QLabel>("lungsNote").text().contains("Changed since"));
@@ -229,7 +229,7 @@ TEST_F(CtWindowTest, ScrollsFastEnough) {
   }
   // Three linked views, at least 15 steps a second.
   const auto elapsedMs = static_cast<double>(clock.elapsed());  // before the load is measured
-  EXPECT_LT(elapsedMs, 670.0 * testing::machineLoad());
+  EXPECT_LT(elapsedMs, 670.0 * machineLoad());
 }
 
 }  // namespace

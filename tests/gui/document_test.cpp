@@ -144,7 +144,7 @@ TEST_F(DocumentTest, ACancelledGrowthChangesNothing) {
   document.jobs().cancel();
   ASSERT_TRUE(idle());
   const auto elapsedMs = static_cast<double>(clock.elapsed());  // before the load is measured
-  EXPECT_LT(elapsedMs, 500.0 * testing::machineLoad());
+  EXPECT_LT(elapsedMs, 500.0 * machineLoad());
   EXPECT_EQ(document.tree(), before);
   EXPECT_EQ(failed.count(), 0);
 }

@@ -102,7 +102,7 @@ TEST(JobQueue, CancelStopsTheRunningJobAndForgetsThoseThatWait) {
   queue.cancel();
   ASSERT_TRUE(waitUntilIdle(queue));
   const auto elapsedMs = static_cast<double>(clock.elapsed());  // before the load is measured
-  EXPECT_LT(elapsedMs, 500.0 * testing::machineLoad());
+  EXPECT_LT(elapsedMs, 500.0 * machineLoad());
   EXPECT_EQ(cancelled.count(), 2);
   EXPECT_FALSE(ran);
 }
@@ -275,7 +275,7 @@ TEST(JobQueue, GoesAwayWhileAJobRuns) {
     QTest::qWait(40);
   }
   const auto elapsedMs = static_cast<double>(clock.elapsed());  // before the load is measured
-  EXPECT_LT(elapsedMs, 1000.0 * testing::machineLoad());
+  EXPECT_LT(elapsedMs, 1000.0 * machineLoad());
 }
 
 }  // namespace

@@ -13,7 +13,6 @@
 #include "document/shell_command.h"
 #include "io/atomic_file.h"
 #include "io/volume_file.h"
-#include "machine_load.h"
 #include "pipeline/ct_model.h"
 #include "pipeline/lung_edits_file.h"
 #include "render/generated_chest.h"

@@ -97,7 +97,7 @@ TEST_F(WindowTest, ABigGrowthIsCancelledWithinHalfASecond) {
   QTest::keyClick(&window, Qt::Key_Escape);
   ASSERT_TRUE(idle());
   const auto elapsedMs = static_cast<double>(clock.elapsed());  // before the load is measured
-  EXPECT_LT(elapsedMs, 500.0 * testing::machineLoad());
+  EXPECT_LT(elapsedMs, 500.0 * machineLoad());
   EXPECT_EQ(branches(), before);
 }
 
@@ -114,7 +114,7 @@ TEST_F(WindowTest, TheWindowAnswersWhileAJobRuns) {
     longest = std::max(longest, sinceLast.restart());
   }
   // Many seconds if the growth ran on this thread.
-  EXPECT_LT(static_cast<double>(longest), 500.0 * testing::machineLoad());
+  EXPECT_LT(static_cast<double>(longest), 500.0 * machineLoad());
   window.document().jobs().cancel();
   ASSERT_TRUE(idle());
 }

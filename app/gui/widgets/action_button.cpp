@@ -27,6 +27,20 @@ QPushButton* actionButton(QAction* action, const char* name, const char* role) {
   return button;
 }
 
+QPushButton* shortButton(QAction* action, const char* name, const char* role) {
+  QPushButton* button = actionButton(action, name, role);
+  button->setCheckable(action->isCheckable());
+  const auto follow = [button, action] {
+    button->setText(action->iconText());
+    button->setChecked(action->isChecked());
+  };
+  follow();
+  QObject::connect(action, &QAction::changed, button, follow);
+  // A press that is refused must not stay.
+  QObject::connect(button, &QPushButton::clicked, button, follow);
+  return button;
+}
+
 QPushButton* organButton(const Actions& actions, const char* name) {
   auto* button = new QPushButton(QObject::tr("Built-in organ"));
   button->setObjectName(QString::fromUtf8(name));

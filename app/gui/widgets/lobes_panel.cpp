@@ -68,21 +68,6 @@ QLabel* dimLabel(const char* name) {
   return label;
 }
 
-/// The button of an action by its short name, pressed while the action is on.
-QPushButton* shortButton(QAction* action, const char* name, const char* role = nullptr) {
-  QPushButton* button = actionButton(action, name, role);
-  button->setCheckable(action->isCheckable());
-  const auto follow = [button, action] {
-    button->setText(action->iconText());
-    button->setChecked(action->isChecked());
-  };
-  follow();
-  QObject::connect(action, &QAction::changed, button, follow);
-  // A press that is refused must not stay.
-  QObject::connect(button, &QPushButton::clicked, button, follow);
-  return button;
-}
-
 /// Two buttons of the same width.
 QWidget* rowOf(QPushButton* first, QPushButton* second) {
   auto* box = new QWidget;

@@ -25,21 +25,6 @@ namespace {
 constexpr double LowestLimitHu = -1000.0;
 constexpr double HighestLimitHu = 1000.0;
 
-/// With its short name, pressed while its action is on.
-QPushButton* toolButton(QAction* action, const char* name) {
-  QPushButton* button = actionButton(action, name);
-  button->setCheckable(true);
-  const auto follow = [button, action] {
-    button->setText(action->iconText());
-    button->setChecked(action->isChecked());
-  };
-  follow();
-  QObject::connect(action, &QAction::changed, button, follow);
-  // A press that is refused must not stay.
-  QObject::connect(button, &QPushButton::clicked, button, follow);
-  return button;
-}
-
 QLabel* labelled(const QString& text, QWidget* of) {
   auto* label = new QLabel(text);
   label->setProperty("role", "dim");
@@ -61,9 +46,9 @@ LungToolsCard::LungToolsCard(Document& document, LungEditor& editor, const Actio
   auto* tools = new QHBoxLayout(frame);
   tools->setContentsMargins(2, 2, 2, 2);
   tools->setSpacing(1);
-  tools->addWidget(toolButton(actions.brush, "brush"));
-  tools->addWidget(toolButton(actions.eraser, "eraser"));
-  tools->addWidget(toolButton(actions.seed, "seed"));
+  tools->addWidget(shortButton(actions.brush, "brush"));
+  tools->addWidget(shortButton(actions.eraser, "eraser"));
+  tools->addWidget(shortButton(actions.seed, "seed"));
   column->addWidget(frame);
 
   radius_ = new NumberBox;

@@ -3,7 +3,7 @@
 #include <ctime>
 
 /// How busy the machine is, so that limits in seconds hold on shared ones too.
-namespace pneuma::testing {
+namespace pneuma {
 
 /// Wall time over processor time of a short piece of work: 1 on a quiet machine, more where other
 /// programs take the processor away.
@@ -22,4 +22,4 @@ inline double machineLoad() {
   return load < 1.0 ? 1.0 : load;
 }
 
-}  // namespace pneuma::testing
+}  // namespace pneuma
