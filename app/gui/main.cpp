@@ -15,6 +15,7 @@
 #include "pipeline/report.h"
 #include "script_recorder.h"
 #include "scripting.h"
+#include "tour.h"
 #include "widgets/application.h"
 #include "widgets/dialogs.h"
 #include "widgets/main_window.h"
@@ -28,6 +29,8 @@ constexpr const char* ThemeKey = "theme";
 constexpr const char* SizeKey = "size";
 constexpr int UsualSize = 100;
 constexpr const char* RecentKey = "recent";
+constexpr const char* MouseKey = "mouse";
+constexpr const char* WelcomedKey = "welcomed";
 
 bool hasDisplay() {
 #ifdef Q_OS_UNIX
@@ -46,6 +49,8 @@ struct CommandLine {
   QCommandLineOption play{"play", "Play a script of steps, then quit.", "script.json"};
   QCommandLineOption record{"record", "Write what is done in the window as a script for --play.",
                             "script.json"};
+  QCommandLineOption settings{"settings", "Settings in this file, also while a script is played.",
+                              "settings.ini"};
   QCommandLineOption screenshots{"screenshots", "Folder for the script's pictures.", "folder", "."};
 
   CommandLine() {
@@ -54,7 +59,8 @@ struct CommandLine {
     play.setFlags(QCommandLineOption::HiddenFromHelp);
     record.setFlags(QCommandLineOption::HiddenFromHelp);
     screenshots.setFlags(QCommandLineOption::HiddenFromHelp);
-    parser.addOptions({help, version, theme, play, record, screenshots});
+    settings.setFlags(QCommandLineOption::HiddenFromHelp);
+    parser.addOptions({help, version, theme, play, record, settings, screenshots});
     parser.addPositionalArgument(
         "FILE", "A project, a CT, surfaces, folders and airway trees to open.", "[FILE...]");
   }
@@ -81,26 +87,45 @@ int chosenSize() {
   return settings.value(SizeKey, UsualSize).toInt();
 }
 
+/// What a person chose, here or in an earlier window; null: this window neither knows nor keeps it.
+std::unique_ptr<QSettings> settingsFor(const CommandLine& line) {
+  if (line.parser.isSet(line.settings)) {
+    return std::make_unique<QSettings>(line.parser.value(line.settings), QSettings::IniFormat);
+  }
+  // A script must not depend on what somebody chose last.
+  if (line.parser.isSet(line.play)) return nullptr;
+  return std::make_unique<QSettings>();
+}
+
+void takeAndKeep(MainWindow& window, QSettings& settings) {
+  window.setSize(settings.value(SizeKey, UsualSize).toInt());
+  window.setRecent(settings.value(RecentKey).toStringList());
+  window.setMouse(mouseProfile(settings.value(MouseKey).toString()));
+  QObject::connect(&window, &MainWindow::themeChosen, [&settings](ThemeName name) {
+    settings.setValue(ThemeKey, name == ThemeName::Light ? "light" : "dark");
+  });
+  QObject::connect(&window, &MainWindow::sizeChosen,
+                   [&settings](int percent) { settings.setValue(SizeKey, percent); });
+  QObject::connect(&window, &MainWindow::mouseChosen, [&settings](MouseProfile profile) {
+    settings.setValue(MouseKey, habitsOf(profile).name);
+  });
+  QObject::connect(&window, &MainWindow::recentChanged,
+                   [&settings](const QStringList& paths) { settings.setValue(RecentKey, paths); });
+  QObject::connect(&window, &MainWindow::welcomed,
+                   [&settings] { settings.setValue(WelcomedKey, true); });
+}
+
 int runWindow(const CommandLine& line) {
   const bool playing = line.parser.isSet(line.play);
-  // A script must not depend on what somebody chose last.
-  QSettings settings;
+  const std::unique_ptr<QSettings> settings = settingsFor(line);
   QString theme = line.parser.value(line.theme);
-  if (theme.isEmpty() && !playing) theme = settings.value(ThemeKey).toString();
+  if (theme.isEmpty() && settings) theme = settings->value(ThemeKey).toString();
 
   MainWindow window;
   window.setTheme(theme == QLatin1String("light") ? ThemeName::Light : ThemeName::Dark);
-  QObject::connect(&window, &MainWindow::themeChosen, [&](ThemeName name) {
-    if (!playing) settings.setValue(ThemeKey, name == ThemeName::Light ? "light" : "dark");
-  });
-  if (!playing) window.setSize(settings.value(SizeKey, UsualSize).toInt());
-  QObject::connect(&window, &MainWindow::sizeChosen, [&](int percent) {
-    if (!playing) settings.setValue(SizeKey, percent);
-  });
-  if (!playing) window.setRecent(settings.value(RecentKey).toStringList());
-  QObject::connect(&window, &MainWindow::recentChanged, [&](const QStringList& paths) {
-    if (!playing) settings.setValue(RecentKey, paths);
-  });
+  if (settings) takeAndKeep(window, *settings);
+  Tour tour(window);
+  QObject::connect(&window, &MainWindow::tourAsked, &tour, &Tour::start);
   // What was lost is offered before anything else is kept. Not to scripts, unless they say where.
   std::unique_ptr<Recovery> recovery;
   std::vector<LostWork> lost;
@@ -120,6 +145,7 @@ int runWindow(const CommandLine& line) {
         &window, lost.front().when, [&] { recovery->recover(lost.front()); },
         [&] { Recovery::throwAway(lost.front()); });
   }
+  if (settings && lost.empty() && !settings->value(WelcomedKey).toBool()) window.welcome();
   window.open(std::move(files));
   if (playing) {
     QTimer::singleShot(0, &window, [&] {

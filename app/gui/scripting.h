@@ -37,8 +37,13 @@ class ScriptPlayer {
   /// @throws ScriptError naming the step and what is wrong
   void play(const QString& file);
 
- private:
+  /// Does one step. @throws ScriptError saying what is wrong
   void perform(const QJsonObject& step);
+
+  /// @throws ScriptError if none is called so
+  QWidget* widget(const QString& name) const;
+
+ private:
   void expect(const QJsonObject& step) const;
   bool holds(const QJsonObject& step) const;
   QVariant observed(const QJsonObject& step) const;
@@ -55,7 +60,6 @@ class ScriptPlayer {
   void press(const QJsonObject& step) const;
   QString expanded(QString text) const;
   QObject* object(const QString& name) const;
-  QWidget* widget(const QString& name) const;
 
   MainWindow& window_;
   QString outFolder_;

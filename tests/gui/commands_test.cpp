@@ -33,7 +33,7 @@ class CommandsTest : public WindowTest {
 };
 
 TEST_F(CommandsTest, EveryKeyOfEveryActionIsInTheOverview) {
-  const std::vector<KeyRow> rows = keyRows(menus());
+  const std::vector<KeyRow> rows = keyRows(menus(), MouseProfile::Usual);
   int withKeys = 0;
   for (const QAction* action : window.findChildren<QAction*>()) {
     if (!action->isVisible()) continue;
@@ -52,10 +52,10 @@ TEST_F(CommandsTest, EveryKeyOfEveryActionIsInTheOverview) {
 }
 
 TEST_F(CommandsTest, NoKeyMeansTwoThingsInOnePlace) {
-  EXPECT_EQ(keyConflicts(keyRows(menus())).join('\n').toStdString(), "");
+  EXPECT_EQ(keyConflicts(keyRows(menus(), MouseProfile::Usual)).join('\n').toStdString(), "");
   // P sets points in the slices and looks from behind in the 3-D view: no conflict. It would be
   // one with a key of the whole window.
-  std::vector<KeyRow> rows = keyRows(menus());
+  std::vector<KeyRow> rows = keyRows(menus(), MouseProfile::Usual);
   rows.push_back({"Test", "Planted", {"P"}, KeyPlace::Window});
   EXPECT_EQ(keyConflicts(rows).size(), 2) << keyConflicts(rows).join('\n').toStdString();
   rows.back() = {"Test", "Planted", {"O"}, KeyPlace::Scene};
@@ -67,7 +67,7 @@ TEST_F(CommandsTest, StepsHaveTheNumbersThatAreShown) {
   // Lobes alone: neither lungs nor lobes are to be found, so airways are the second step.
   QTest::keyClick(&window, Qt::Key_2);
   EXPECT_TRUE(find<QAbstractButton>("stepAirways").isChecked());
-  const std::vector<KeyRow> rows = keyRows(menus());
+  const std::vector<KeyRow> rows = keyRows(menus(), MouseProfile::Usual);
   EXPECT_TRUE(std::ranges::any_of(rows, [](const KeyRow& row) {
     return row.what == "Step: Airways" && row.keys == QStringList{"2"};
   }));

@@ -1,5 +1,6 @@
 #include "widgets/actions.h"
 
+#include <QActionGroup>
 #include <QKeySequence>
 #include <QMenu>
 #include <QMenuBar>
@@ -7,6 +8,7 @@
 #include "document/text.h"
 #include "pipeline/organs.h"
 #include "widgets/icons.h"
+#include "widgets/mouse_profile.h"
 #include "widgets/size_menu.h"
 #include "widgets/stereo_menu.h"
 
@@ -71,6 +73,18 @@ void makeLungActions(Actions& a, QWidget* window) {
   a.smallerBrush = inSlices(window, "actionSmallerBrush", tr("Smaller brush"), {keys("-")});
   a.openLungEdits = action(window, "actionOpenLungEdits", tr("Open lung corrections..."));
   a.saveLungEdits = action(window, "actionSaveLungEdits", tr("Save lung corrections..."));
+}
+
+void makeMouseActions(Actions& a, QWidget* window) {
+  auto* group = new QActionGroup(window);
+  for (const MouseHabits& habits : mouseHabits()) {
+    const std::string name = std::string("actionMouse_") + habits.name;
+    QAction* made = action(window, name.c_str(), QObject::tr(habits.title));
+    made->setCheckable(true);
+    group->addAction(made);
+    a.mouse[static_cast<std::size_t>(habits.profile)] = made;
+  }
+  a.mouse.front()->setChecked(true);
 }
 
 }  // namespace
@@ -144,7 +158,10 @@ Actions makeActions(QWidget* window) {
   a.rightColumn->setChecked(true);
   a.theme = action(window, "actionTheme", tr("&Light theme"), {});
   a.theme->setCheckable(true);
+  makeMouseActions(a, window);
   a.size = new SizeMenu(window);
+  a.tour = action(window, "actionTour", tr("&Tour of the window"));
+  a.welcome = action(window, "actionWelcome", tr("&Welcome..."));
   a.keys = action(window, "actionKeys", tr("&Keys"), {keys("?")});
   a.about = action(window, "actionAbout", tr("&About Pneuma"));
   return a;
@@ -191,10 +208,12 @@ void fillMenus(QMenuBar& bar, const Actions& a) {
   view->addAction(a.resetView);
   view->addMenu(a.stereo);
   view->addActions({a.playBreath, a.onionSkin, a.rightColumn, a.theme});
+  QMenu* mouse = view->addMenu(QObject::tr("&Mouse in slices"));
+  for (QAction* habits : a.mouse) mouse->addAction(habits);
   view->addMenu(a.size);
   fillSliceMenu(*bar.addMenu(QObject::tr("&Slices")), a.slices);
   QMenu* help = bar.addMenu(QObject::tr("&Help"));
-  help->addActions({a.keys, a.about});
+  help->addActions({a.keys, a.tour, a.welcome, a.about});
 }
 
 }  // namespace pneuma

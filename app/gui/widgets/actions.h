@@ -77,7 +77,10 @@ struct Actions {
   SliceActions slices;
   QAction* rightColumn = nullptr;  ///< checkable: structures and properties are shown
   QAction* theme = nullptr;
+  std::array<QAction*, 3> mouse{};  ///< one for each of mouseHabits(), in a group
   SizeMenu* size = nullptr;
+  QAction* tour = nullptr;
+  QAction* welcome = nullptr;
   QAction* keys = nullptr;
   QAction* about = nullptr;
 

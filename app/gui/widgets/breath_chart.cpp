@@ -18,7 +18,7 @@ namespace {
 constexpr int Samples = 240;
 constexpr int Margin = 40;
 constexpr int Foot = 34;
-constexpr int Gap = 12;
+constexpr int PlotGap = 12;
 constexpr double MlPerLitre = 1000.0;
 
 /// The distance of ticks so that there are at most five.
@@ -49,7 +49,7 @@ QPointF BreathChart::Plot::place(const QPointF& value) const {
 BreathChart::Plot BreathChart::overTime() const {
   const BreathingLungs& lungs = player_.breath()->lungs;
   Plot plot;
-  plot.box = QRectF(Margin, 8, width() - Margin - 10, (height() - 2 * Foot - Gap - 8) / 2.0);
+  plot.box = QRectF(Margin, 8, width() - Margin - 10, (height() - 2 * Foot - PlotGap - 8) / 2.0);
   plot.across = tr("s");
   plot.up = tr("mL above rest");
   plot.at = [&lungs](double phase) {
@@ -61,7 +61,7 @@ BreathChart::Plot BreathChart::overTime() const {
 BreathChart::Plot BreathChart::loop() const {
   const BreathingLungs& lungs = player_.breath()->lungs;
   Plot plot = overTime();
-  plot.box.moveTop(plot.box.bottom() + Foot + Gap);
+  plot.box.moveTop(plot.box.bottom() + Foot + PlotGap);
   plot.across = tr("cmH2O of the muscles");
   plot.at = [&lungs](double phase) {
     const BreathSample sample = lungs.cycle.at(phase);

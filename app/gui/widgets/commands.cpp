@@ -80,13 +80,13 @@ std::vector<Command> commandsOf(const QMenuBar& menus) {
   return commands;
 }
 
-std::vector<KeyRow> keyRows(const QMenuBar& menus) {
+std::vector<KeyRow> keyRows(const QMenuBar& menus, MouseProfile mouse) {
   std::vector<KeyRow> rows;
   visitActions(menus.actions(), {}, [&](const QString& group, const QAction& action) {
     if (!action.isVisible() || action.shortcuts().isEmpty()) return;
     rows.push_back({group, plainText(action.text()), keysOf(action), placeOf(action)});
   });
-  const std::vector<KeyRow> views = viewKeyRows();
+  const std::vector<KeyRow> views = viewKeyRows(mouse);
   rows.insert(rows.end(), views.begin(), views.end());
   return rows;
 }

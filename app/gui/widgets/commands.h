@@ -34,7 +34,7 @@ QString plainText(QString text);
 std::vector<Command> commandsOf(const QMenuBar& menus);
 
 /// The keys of every action of the menus, and after them those of the views.
-std::vector<KeyRow> keyRows(const QMenuBar& menus);
+std::vector<KeyRow> keyRows(const QMenuBar& menus, MouseProfile mouse);
 
 /// Sentences on keys that mean two things in one place; none if all is well.
 QStringList keyConflicts(const std::vector<KeyRow>& rows);

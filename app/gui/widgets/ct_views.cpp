@@ -45,6 +45,10 @@ CtViews::CtViews(SliceViews& views, QWidget* scene, const Actions& actions, QWid
   connect(&views_, &SliceViews::changed, this, &CtViews::follow);
 }
 
+void CtViews::setMouse(MouseProfile profile) {
+  for (SliceView* slice : slices_) slice->setMouse(profile);
+}
+
 QWidget* CtViews::makePane(SlicePlane plane) {
   const auto index = static_cast<std::size_t>(plane);
   const QString name = qtText(choices(SlicePlane{})[index]);

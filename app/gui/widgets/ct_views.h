@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "document/slice_views.h"
+#include "widgets/mouse_profile.h"
 
 class QGridLayout;
 class QSlider;
@@ -22,6 +23,8 @@ class CtViews : public QWidget {
  public:
   /// @param scene the 3-D view; taken over
   CtViews(SliceViews& views, QWidget* scene, const Actions& actions, QWidget* parent = nullptr);
+
+  void setMouse(MouseProfile profile);
 
   SliceView& slice(SlicePlane plane) const { return *slices_[static_cast<std::size_t>(plane)]; }
 

@@ -49,6 +49,7 @@ QLabel* dimLabel(int indent) {
 
 ExportPanel::ExportPanel(Document& document, const Actions& actions, QWidget* parent)
     : QWidget(parent), document_(document), rows_(exportRows(document.snapshot())) {
+  setObjectName(QStringLiteral("exportPanel"));
   auto* content = new QWidget;
   auto* column = new QVBoxLayout(content);
   column->setContentsMargins(0, 0, 0, 0);

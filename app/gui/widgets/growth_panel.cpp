@@ -58,6 +58,7 @@ class FittingScrollArea : public QScrollArea {
 
 GrowthPanel::GrowthPanel(Document& document, const Actions& actions, QWidget* parent)
     : QWidget(parent), document_(document) {
+  setObjectName(QStringLiteral("growthPanel"));
   auto* content = new QWidget;
   fillScrolling(this, content);
   auto* column = new QVBoxLayout(content);

@@ -19,6 +19,7 @@
 #include "document/structure_model.h"
 #include "widgets/actions.h"
 #include "widgets/commands.h"
+#include "widgets/mouse_profile.h"
 #include "widgets/theme.h"
 
 class QLabel;
@@ -86,9 +87,20 @@ class MainWindow : public QMainWindow {
 
   void setTheme(ThemeName name);
 
+  /// Of the slices.
+  void setMouse(MouseProfile profile);
+
+  /// Asks what is chosen at the first start.
+  void welcome();
+
  signals:
   void themeChosen(pneuma::ThemeName name);
   void sizeChosen(int percent);
+  void mouseChosen(pneuma::MouseProfile profile);
+
+  /// Somebody has read and accepted what is said at the first start.
+  void welcomed();
+  void tourAsked();
 
   /// Other projects are offered now.
   void recentChanged(const QStringList& paths);
@@ -188,6 +200,7 @@ class MainWindow : public QMainWindow {
   BreathPlayer player_;
   RegionEditor regions_{document_};
   Actions actions_;
+  MouseProfile mouse_ = MouseProfile::Usual;
   std::optional<std::size_t> branch_;  ///< the selected one
   std::function<void()> whenSaved_;
   QStringList recent_;

@@ -3,10 +3,12 @@
 
 #include "document/text.h"
 #include "widgets/command_palette.h"
+#include "widgets/ct_views.h"
 #include "widgets/keys_overlay.h"
 #include "widgets/main_window.h"
 #include "widgets/scene_view.h"
 #include "widgets/structure_view.h"
+#include "widgets/welcome_dialog.h"
 
 // All commands by their names, and all keys.
 namespace pneuma {
@@ -36,11 +38,33 @@ void MainWindow::connectCommands() {
     palette_->offer(std::move(commands));
   });
   connect(actions_.keys, &QAction::triggered, this,
-          [this, menus] { keysOverlay_->list(keyRows(*menus)); });
+          [this, menus] { keysOverlay_->list(keyRows(*menus, mouse_)); });
   for (std::size_t i = 0; i < actions_.steps.size(); ++i) {
     connect(actions_.steps[i], &QAction::triggered, this,
             [this, i] { goTo(static_cast<Step>(i)); });
   }
+  for (const MouseHabits& habits : mouseHabits()) {
+    connect(actions_.mouse[static_cast<std::size_t>(habits.profile)], &QAction::triggered, this,
+            [this, profile = habits.profile] {
+              setMouse(profile);
+              emit mouseChosen(profile);
+            });
+  }
+  connect(actions_.welcome, &QAction::triggered, this, &MainWindow::welcome);
+  connect(actions_.tour, &QAction::triggered, this, &MainWindow::tourAsked);
+}
+
+void MainWindow::setMouse(MouseProfile profile) {
+  mouse_ = profile;
+  actions_.mouse[static_cast<std::size_t>(profile)]->setChecked(true);
+  ctViews_->setMouse(profile);
+}
+
+void MainWindow::welcome() {
+  auto* dialog = new WelcomeDialog(actions_, this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &QDialog::accepted, this, &MainWindow::welcomed);
+  dialog->open();
 }
 
 std::vector<Command> MainWindow::structureCommands() {

@@ -21,6 +21,8 @@ constexpr double ZoomPerNotch = 1.2;
 constexpr double ZoomPerPixel = 1.008;
 constexpr double HuPerPixel = 4.0;
 constexpr double MarkReachPixels = 9.0;
+constexpr int PixelsPerSlice = 4;
+constexpr int StillPixels = 4;    ///< a press that moves less is a click
 constexpr int BrushShadow = 140;  ///< of a circle on a bright ground, of 255
 
 }  // namespace
@@ -131,24 +133,37 @@ void SliceView::paintEvent(QPaintEvent*) {
 void SliceView::mousePressEvent(QMouseEvent* event) {
   if (views_.empty()) return;
   before_ = event->pos();
+  pressed_.reset();
   if (editor_ != nullptr && pressFissure(*event)) return;
   if (lungEditor_ != nullptr && pressLungs(*event)) return;
   zoomedAbout_ = onPicture(event->pos());
-  const bool shift = event->modifiers().testFlag(Qt::ShiftModifier);
-  switch (event->button()) {
-    case Qt::LeftButton:
-      drag_ = windowKey_ ? Drag::Window : shift ? Drag::Pan : Drag::Point;
-      break;
-    case Qt::MiddleButton:
-      drag_ = Drag::Pan;
-      break;
-    case Qt::RightButton:
-      drag_ = Drag::Zoom;
-      break;
-    default:
-      drag_ = Drag::None;
+  scrollRest_ = 0;
+  drag_ = dragOf(*event);
+  if (drag_ == Drag::Point) {
+    views_.moveTo(frame().pointAt(onPicture(event->pos())));
+  } else if (event->button() == Qt::LeftButton && event->modifiers() == Qt::NoModifier &&
+             !windowKey_) {
+    pressed_ = event->pos();
   }
-  if (drag_ == Drag::Point) views_.moveTo(frame().pointAt(onPicture(event->pos())));
+}
+
+SliceView::Drag SliceView::dragOf(const QMouseEvent& event) const {
+  if (windowKey_ && event.button() == Qt::LeftButton) return Drag::Window;
+  switch (sliceDrag(mouse_, event.button(), event.modifiers())) {
+    case SliceDrag::Crosshair:
+      return Drag::Point;
+    case SliceDrag::Pan:
+      return Drag::Pan;
+    case SliceDrag::Zoom:
+      return Drag::Zoom;
+    case SliceDrag::Window:
+      return Drag::Window;
+    case SliceDrag::Scroll:
+      return Drag::Scroll;
+    case SliceDrag::None:
+      break;
+  }
+  return Drag::None;
 }
 
 std::optional<FissureEditor::Mark> SliceView::markAt(const QPoint& position) const {
@@ -206,6 +221,10 @@ void SliceView::mouseMoveEvent(QMouseEvent* event) {
     }
     return;
   }
+  if (pressed_) {
+    if ((event->pos() - *pressed_).manhattanLength() < StillPixels) return;
+    pressed_.reset();
+  }
   dragTo(event->pos());
   before_ = event->pos();
 }
@@ -233,6 +252,13 @@ void SliceView::dragTo(const QPoint& position) {
       views_.setLook(look);
       break;
     }
+    case Drag::Scroll: {
+      scrollRest_ -= moved.y();
+      const int slices = scrollRest_ / PixelsPerSlice;
+      scrollRest_ -= slices * PixelsPerSlice;
+      if (slices != 0) views_.step(plane_, slices);
+      break;
+    }
     case Drag::Mark:
       if (editor_ != nullptr) editor_->drag(mark_, shown.pointAt(onPicture(position)));
       break;
@@ -247,6 +273,8 @@ void SliceView::dragTo(const QPoint& position) {
 void SliceView::mouseReleaseEvent(QMouseEvent*) {
   if (drag_ == Drag::Mark && editor_ != nullptr) editor_->release();
   if (drag_ == Drag::Stroke && lungEditor_ != nullptr) lungEditor_->release();
+  if (pressed_ && !views_.empty()) views_.moveTo(frame().pointAt(onPicture(*pressed_)));
+  pressed_.reset();
   drag_ = Drag::None;
 }
 
@@ -260,6 +288,7 @@ void SliceView::mouseDoubleClickEvent(QMouseEvent* event) {
     return;
   }
   drag_ = Drag::None;
+  pressed_.reset();
   if (event->button() == Qt::LeftButton) emit doubleClicked(plane_);
 }
 

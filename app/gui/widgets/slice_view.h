@@ -8,20 +8,21 @@
 #include "document/fissure_editor.h"
 #include "document/lung_editor.h"
 #include "document/slice_views.h"
+#include "widgets/mouse_profile.h"
 #include "widgets/view_keys.h"
 
 class QPainter;
 
 namespace pneuma {
 
-/// One slice of the CT. Click or drag moves the point that all views share; the wheel changes the
-/// slice (Shift: five at once); Ctrl+wheel or right drag zooms; middle or Shift+left drag moves the
-/// picture; W held + left drag changes the window: across its width, down its level. With the
-/// keyboard: Up/Down, B/F and PageUp/PageDown change the slice, R shows everything again. While
-/// fissures are edited, a left drag moves a mark of theirs and a right click deletes a point; while
-/// points are set, a left click sets one, Backspace takes the last back, Tab goes to the next
-/// fissure. While lungs are corrected, a left drag paints or erases within the circle around the
-/// pointer, a click sets a seed.
+/// One slice of the CT. A click moves the point that all views share; the wheel changes the slice
+/// (Shift: five at once); Ctrl+wheel zooms; Shift+left drag moves the picture; W held + left drag
+/// changes the window: across its width, down its level. What other drags do says the profile of
+/// the mouse. With the keyboard: Up/Down, B/F and PageUp/PageDown change the slice, R shows
+/// everything again. While fissures are edited, a left drag moves a mark of theirs and a right
+/// click deletes a point; while points are set, a left click sets one, Backspace takes the last
+/// back, Tab goes to the next fissure. While lungs are corrected, a left drag paints or erases
+/// within the circle around the pointer, a click sets a seed.
 class SliceView : public QWidget {
   Q_OBJECT
 
@@ -33,6 +34,8 @@ class SliceView : public QWidget {
 
   /// Takes part in correcting lungs; null: no longer.
   void setLungEditor(LungEditor* editor);
+
+  void setMouse(MouseProfile profile) { mouse_ = profile; }
 
   /// The pixel of this widget at which a point (LPS, mm) is drawn.
   QPoint positionOf(const Vec3& point) const;
@@ -59,11 +62,13 @@ class SliceView : public QWidget {
   bool focusNextPrevChild(bool next) override;
 
  private:
-  enum class Drag { None, Point, Pan, Zoom, Window, Mark, Stroke };
+  enum class Drag { None, Point, Pan, Zoom, Window, Scroll, Mark, Stroke };
 
   SliceFrame frame() const;
   PicturePoint onPicture(const QPointF& position) const;
   void dragTo(const QPoint& position);
+  /// What a button begins that is neither for fissures nor for lungs.
+  Drag dragOf(const QMouseEvent& event) const;
   /// True if the press was for the fissures.
   bool pressFissure(const QMouseEvent& event);
   /// True if the press was for the lungs.
@@ -78,8 +83,11 @@ class SliceView : public QWidget {
   SliceViews& views_;
   SlicePlane plane_;
   Drag drag_ = Drag::None;
-  QPoint before_;             ///< where the drag was last
-  PicturePoint zoomedAbout_;  ///< where a zooming drag began
+  MouseProfile mouse_ = MouseProfile::Usual;
+  QPoint before_;                  ///< where the drag was last
+  std::optional<QPoint> pressed_;  ///< where a drag began that is a click as long as it stays there
+  int scrollRest_ = 0;             ///< dragged, but not yet a slice
+  PicturePoint zoomedAbout_;       ///< where a zooming drag began
   bool windowKey_ = false;
   FissureEditor* editor_ = nullptr;
   FissureEditor::Mark mark_;  ///< that is dragged

@@ -52,6 +52,11 @@ StartPage::StartPage(const Actions& actions, QWidget* parent) : QWidget(parent) 
            actionButton(actions.sample, "startSample", "primary")};
   arrange(static_cast<int>(ways_.size()));
   column->addLayout(buttons_);
+  auto* tour = new QHBoxLayout;
+  tour->addStretch();
+  tour->addWidget(actionButton(actions.tour, "startTour", "quiet"));
+  tour->addStretch();
+  column->addLayout(tour);
   column->addSpacing(4);
   column->addWidget(
       line(tr("Nothing leaves this computer. Research use only; not a medical device."), "dim"));

@@ -2,6 +2,7 @@
 
 #include <QKeySequence>
 #include <QObject>
+#include <utility>
 
 namespace pneuma {
 
@@ -69,10 +70,10 @@ struct MouseRow {
 };
 
 constexpr MouseRow MouseRows[] = {
-    {true, QT_TR_NOOP("Click, drag"), QT_TR_NOOP("Move the crosshair; all views go there")},
+    {true, QT_TR_NOOP("Click"), QT_TR_NOOP("Move the crosshair; all views go there")},
     {true, QT_TR_NOOP("Wheel"), QT_TR_NOOP("Next and previous slice; with Shift five at a time")},
-    {true, QT_TR_NOOP("Ctrl+Wheel"), QT_TR_NOOP("Zoom about the pointer; so does a right drag")},
-    {true, QT_TR_NOOP("Middle drag"), QT_TR_NOOP("Move the picture; so does Shift+left drag")},
+    {true, QT_TR_NOOP("Ctrl+Wheel"), QT_TR_NOOP("Zoom about the pointer")},
+    {true, QT_TR_NOOP("Shift+left drag"), QT_TR_NOOP("Move the picture")},
     {true, QT_TR_NOOP("Double click"), QT_TR_NOOP("This view alone, and back")},
     {true, QT_TR_NOOP("Drag with a brush"), QT_TR_NOOP("Lungs: paint or erase in the circle")},
     {true, QT_TR_NOOP("Click with a seed"), QT_TR_NOOP("Lungs: take in what hangs together there")},
@@ -117,7 +118,7 @@ std::optional<SceneKey> sceneKey(int key, Qt::KeyboardModifiers modifiers) {
   return plain;
 }
 
-std::vector<KeyRow> viewKeyRows() {
+std::vector<KeyRow> viewKeyRows(MouseProfile mouse) {
   std::vector<KeyRow> rows;
   const QString slices = QObject::tr("In a slice");
   for (const SliceRow& row : sliceRows()) {
@@ -131,12 +132,18 @@ std::vector<KeyRow> viewKeyRows() {
                   QObject::tr("Show or hide it"),
                   {keyText(Qt::Key_Space, false)},
                   KeyPlace::Structures});
+  const QString mouseInSlices = QObject::tr("Mouse in a slice");
+  const MouseHabits& habits = habitsOf(mouse);
+  for (const auto& [how, drag] : {std::pair{QObject::tr("Left drag"), habits.left},
+                                  std::pair{QObject::tr("Middle drag"), habits.middle},
+                                  std::pair{QObject::tr("Right drag"), habits.right}}) {
+    rows.push_back({mouseInSlices, dragText(drag), {how}, KeyPlace::Mouse});
+  }
   for (const MouseRow& row : MouseRows) {
-    rows.push_back(
-        {row.inSlices ? QObject::tr("Mouse in a slice") : QObject::tr("Mouse in the 3-D view"),
-         QObject::tr(row.what),
-         {QObject::tr(row.how)},
-         KeyPlace::Mouse});
+    rows.push_back({row.inSlices ? mouseInSlices : QObject::tr("Mouse in the 3-D view"),
+                    QObject::tr(row.what),
+                    {QObject::tr(row.how)},
+                    KeyPlace::Mouse});
   }
   return rows;
 }

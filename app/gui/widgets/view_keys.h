@@ -5,6 +5,8 @@
 #include <optional>
 #include <vector>
 
+#include "widgets/mouse_profile.h"
+
 namespace pneuma {
 
 /// What keys do in a slice that has the focus, beside the actions.
@@ -55,6 +57,6 @@ struct KeyRow {
 };
 
 /// What views do with keys and mouse; made of the tables that the views themselves ask.
-std::vector<KeyRow> viewKeyRows();
+std::vector<KeyRow> viewKeyRows(MouseProfile mouse);
 
 }  // namespace pneuma
