@@ -16,6 +16,7 @@
 #include "io/volume_file.h"
 #include "pipeline/ct_model.h"
 #include "pipeline/figure_table.h"
+#include "pipeline/label_fit.h"
 #include "pipeline/lobe_parts.h"
 #include "pipeline/project.h"
 
@@ -173,6 +174,7 @@ void addLabels(LungModel& model, const fs::path& path, const Progress& progress)
   model.lungs = nullptr;
   model.corrections = nullptr;
   requireSamePlace(model);
+  warnOfMisfit(model);
   model.inputs.push_back(inputFile(path));
 }
 
@@ -188,6 +190,13 @@ void requireSamePlace(const LungModel& model) {
     return;
   }
   throw InvalidInput("the labels lie elsewhere than the CT; they belong to another image");
+}
+
+void warnOfMisfit(LungModel& model) {
+  if (!model.ct || !model.labels) return;
+  if (auto warning = misfitOf(*model.ct, *model.labels)) {
+    model.warnings.push_back(std::move(*warning));
+  }
 }
 
 std::shared_ptr<const AirwayTree> treeOf(const LungModel& model) {

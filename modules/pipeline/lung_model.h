@@ -97,6 +97,9 @@ LungModel withCentral(const LungModel& model, const std::filesystem::path& path)
 /// @throws InvalidInput if the model's labels lie elsewhere than its CT
 void requireSamePlace(const LungModel& model);
 
+/// Adds a warning if the model's labels hardly fit its CT (pipeline/label_fit.h).
+void warnOfMisfit(LungModel& model);
+
 /// The same with a label image of the CT read from `path`.
 /// @throws as readLabelVolume() and requireSamePlace()
 LungModel withLabels(const LungModel& model, const std::filesystem::path& path,

@@ -50,6 +50,9 @@ for window in lung lung-soft mediastinum bone emphysema 1200/-450; do
 done
 expect "bone looks like lung" test "$(cmp w_bone.png w_lung.png | wc -l)" -gt 0
 succeeds "labels" render ct.nrrd --labels labels.nrrd --slice axial --size 200x150 -o labels.png
+volume int16 40 -850 >dense.nrrd
+succeeds "labels of somebody else" render dense.nrrd --labels labels.nrrd --slice axial --size 200x150 -o foreign.png
+expect "labels that fit no lung are not warned of" grep -q 'only 0 %.*another person' "$logs/err"
 succeeds "labels among the inputs" render ct.nrrd labels.nrrd --slice axial --size 200x150 -o inputs.png
 expect "an input is no label" cmp labels.png inputs.png
 succeeds "outlines" render ct.nrrd --labels labels.nrrd --outline --slice axial --size 200x150 -o outline.png

@@ -46,6 +46,7 @@ LungModel joined(const LungModel& open, LungModel read) {
     }
     requireSamePlace(both);
     addRecord(both, read);
+    warnOfMisfit(both);
     return both;
   }
   if (treeOnly && (open.surfaces || open.ct)) {
