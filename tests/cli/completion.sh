@@ -40,4 +40,20 @@ completes "pneuma compare --pic" --picture
 completes "pneuma compare --colour-by gen" generation
 completes "pneuma study --se" --seeds
 completes "pneuma help mea" measure
+# The manual page has every command and every option of one, and man finds nothing to complain of.
+succeeds "manual page" help --man
+cp "$logs/out" pneuma.1
+for command in $("$PNEUMA" help | sed -n 's/^  \([a-z]*\)  .*/\1/p'); do
+  expect "$command is not in the manual page" grep -q "^.SS pneuma $command\$" pneuma.1
+done
+for option in $("$PNEUMA" help grow | grep -o -- '--[a-z-]*' | sort -u); do
+  expect "$option is not in the manual page" grep -q -- "\\\\fB${option//-/\\\\-}\\\\fR" pneuma.1
+done
+if command -v groff >/dev/null; then
+  caseName="roff"
+  cases=$((cases + 1))
+  said=$(groff -man -Tutf8 -ww pneuma.1 2>&1 >/dev/null | head -n 3)
+  [ -z "$said" ] || fail "groff says: $said"
+fi
+refuses "the manual page of a command" 2 'man.*COMMAND|COMMAND.*man' help --man grow
 finish

@@ -1,0 +1,28 @@
+# What `cpack` makes: a Debian package whose dependencies are found in the programs themselves, and an archive that runs
+# from wherever it is unpacked. `cpack --config build/release/CPackConfig.cmake -B out`.
+set(CPACK_PACKAGE_NAME pneuma)
+set(CPACK_PACKAGE_VENDOR "The Pneuma developers")
+set(CPACK_PACKAGE_CONTACT "The Pneuma developers <maintainers@pneuma.example>")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "lobes, airway trees and breathing from chest CT")
+set(CPACK_RESOURCE_FILE_LICENSE "${PROJECT_SOURCE_DIR}/LICENSE")
+set(CPACK_GENERATOR "DEB;TGZ")
+set(CPACK_STRIP_FILES ON)
+set(CPACK_VERBATIM_VARIABLES ON)
+set(CPACK_PACKAGE_FILE_NAME "pneuma-${PROJECT_VERSION}-${CMAKE_SYSTEM_NAME}-${CMAKE_SYSTEM_PROCESSOR}")
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_PACKAGE_PRIORITY optional)
+set(CPACK_DEBIAN_PACKAGE_HOMEPAGE "https://pneuma.example")
+# Pictures without a screen, and the font that they are made with.
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "xvfb, xauth, libgl1-mesa-dri, fonts-inter")
+# Debian's own form: one line, then paragraphs indented by a blank.
+set(CPACK_DEBIAN_PACKAGE_DESCRIPTION
+    "lobes, airway trees and breathing from chest CT
+ Pneuma goes from a chest CT, or from surfaces of lobes, to an airway tree that
+ breathes: it finds the lungs, splits them into lobes along their fissures, grows
+ the bronchial tree by three published methods and moves everything by an elastic
+ model. Results are files for ParaView, tables, pictures and reports.
+ .
+ Research use only; not a medical device.")
+include(CPack)
