@@ -50,6 +50,14 @@ function(pneuma_install_gzipped from name destination)
 endfunction()
 pneuma_install_gzipped("${generated}/pneuma.1" pneuma.1 "${CMAKE_INSTALL_MANDIR}/man1" pneuma_told)
 pneuma_install_gzipped("${PROJECT_SOURCE_DIR}/CHANGELOG.md" changelog "${CMAKE_INSTALL_DOCDIR}")
+# The package's own history, in Debian's form.
+file(CONFIGURE OUTPUT "${generated}/changelog.Debian" CONTENT "pneuma (@PROJECT_VERSION@-1) unstable; urgency=medium
+
+  * See changelog.gz for what changed.
+
+ -- The Pneuma developers <maintainers@pneuma.example>  Fri, 27 Nov 2026 08:00:00 +0000
+" @ONLY)
+pneuma_install_gzipped("${generated}/changelog.Debian" changelog.Debian "${CMAKE_INSTALL_DOCDIR}")
 if(PNEUMA_BUILD_GUI)
   pneuma_install_gzipped("${PROJECT_SOURCE_DIR}/packaging/linux/pneuma-desktop.1" pneuma-desktop.1
                          "${CMAKE_INSTALL_MANDIR}/man1")

@@ -16,13 +16,13 @@ set(CPACK_DEBIAN_PACKAGE_PRIORITY optional)
 set(CPACK_DEBIAN_PACKAGE_HOMEPAGE "https://pneuma.example")
 # Pictures without a screen, and the font that they are made with.
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "xvfb, xauth, libgl1-mesa-dri, fonts-inter")
-# Debian's own form: one line, then paragraphs indented by a blank.
+set(CPACK_DEBIAN_PACKAGE_RELEASE 1)
 set(CPACK_DEBIAN_PACKAGE_DESCRIPTION
-    "lobes, airway trees and breathing from chest CT
- Pneuma goes from a chest CT, or from surfaces of lobes, to an airway tree that
- breathes: it finds the lungs, splits them into lobes along their fissures, grows
- the bronchial tree by three published methods and moves everything by an elastic
- model. Results are files for ParaView, tables, pictures and reports.
- .
- Research use only; not a medical device.")
+    "Pneuma goes from a chest CT, or from surfaces of lobes, to an airway tree
+that breathes: it finds the lungs, splits them into lobes along their
+fissures, grows the bronchial tree by three published methods and moves
+everything by an elastic model. Results are files for ParaView, tables,
+pictures and reports.
+.
+Research use only; not a medical device.")
 include(CPack)

@@ -60,7 +60,12 @@ std::string optionHead(const CLI::Option& option) {
   if (option.get_positional()) return italic(option.get_name(true, false));
   for (const std::string& name : option.get_snames()) add("-" + name);
   for (const std::string& name : option.get_lnames()) add("--" + name);
-  return option.get_type_size() == 0 ? head : head + " " + italic(option.get_type_name());
+  if (option.get_type_size() == 0) return head;
+  std::string type = italic(option.get_type_name());
+  for (std::size_t at = type.find('|'); at != std::string::npos; at = type.find('|', at + 1)) {
+    type.insert(at + 1, "\\:");  // a line may break there
+  }
+  return head + " " + type;
 }
 
 std::string optionText(const CLI::Option& option) {
@@ -86,14 +91,15 @@ std::string commandText(const Command& command) {
 }  // namespace
 
 std::string manPage() {
-  std::string text = ".TH PNEUMA 1 \"\" \"Pneuma " + roff(versionText()) +
-                     "\" \"User Commands\"\n"
-                     ".SH NAME\npneuma \\- from a chest CT to lobes, airway trees and breathing\n"
-                     ".SH SYNOPSIS\n.B pneuma\n.I COMMAND\n.RI [ ARGUMENTS ]\n"
-                     ".SH DESCRIPTION\n"
-                     "Finds lungs in a CT, splits them into lobes, grows bronchial trees in them, "
-                     "makes them breathe,\nmeasures and shows them. Frames are LPS, units mm. "
-                     "Research use only; not a medical device.\n.SH COMMANDS\n";
+  std::string text =
+      ".TH PNEUMA 1 \"\" \"Pneuma " + roff(versionText()) +
+      "\" \"User Commands\"\n"
+      ".nh\n.ad l\n.SH NAME\npneuma \\- from a chest CT to lobes, airway trees and breathing\n"
+      ".SH SYNOPSIS\n.B pneuma\n.I COMMAND\n.RI [ ARGUMENTS ]\n"
+      ".SH DESCRIPTION\n"
+      "Finds lungs in a CT, splits them into lobes, grows bronchial trees in them, "
+      "makes them breathe,\nmeasures and shows them. Frames are LPS, units mm. "
+      "Research use only; not a medical device.\n.SH COMMANDS\n";
   for (const Command& each : commands()) text += commandText(each);
   text += ".SH EXIT STATUS\n";
   for (const ExitRow& row : ExitRows) {
