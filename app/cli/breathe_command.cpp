@@ -1,19 +1,22 @@
 #include <algorithm>
+#include <array>
+#include <cstdio>
 #include <iostream>
 #include <memory>
 #include <optional>
 
 #include "cli/arguments.h"
-#include "cli/breath_frames.h"
-#include "cli/breath_gltf.h"
 #include "cli/breath_picture.h"
 #include "cli/command.h"
 #include "cli/files.h"
+#include "cli/picture_arguments.h"
 #include "cli/text.h"
 #include "pipeline/breath_curve.h"
 #include "pipeline/breathe.h"
 #include "pipeline/breathe_files.h"
 #include "pipeline/measured_breath.h"
+#include "views/breath_gltf.h"
+#include "views/breath_pictures.h"
 
 namespace pneuma::cli {
 namespace {
@@ -28,8 +31,22 @@ struct BreatheArguments {
   std::vector<std::string> stiffness;
   std::vector<std::string> emphysema;
   bool pictures = false;
-  FrameArguments drawing;
+  PictureArguments look;
+  bool onionSkin = false;
 };
+
+/// "breath.pvd" -> "breath_0007.png"
+std::filesystem::path framePicture(const std::filesystem::path& pvd, int frame) {
+  std::array<char, 24> ending{};
+  std::snprintf(ending.data(), ending.size(), "_%04d.png", frame);
+  return pvd.parent_path() / pvd.stem().concat(ending.data());
+}
+
+BreathLook lookOf(const BreatheArguments& arguments) {
+  const PictureArguments& look = arguments.look;
+  return {sceneOptions(look), viewDirection(look.view), look.size.width, look.size.height,
+          arguments.onionSkin};
+}
 
 std::filesystem::path tableBeside(const std::filesystem::path& picture) {
   return std::filesystem::path(picture).replace_extension(".csv");
@@ -147,7 +164,7 @@ ExitCode runBreathe(BreatheArguments arguments, const CommonOptions& common,
     const auto write = [&](int frame, const Picture& picture) {
       writeFile(framePicture(common.output, frame), pngText(picture), common.existing());
     };
-    drawBreath(lungs, arguments.drawing, write, progress.part(0.85, 1.0, "drawing"));
+    drawBreath(lungs, lungs.frames, lookOf(arguments), write, progress.part(0.85, 1.0, "drawing"));
   }
   if (!arguments.gltf.empty()) writeBreathGltf(arguments.gltf, lungs, common.existing());
   if (!arguments.curve.empty()) {
@@ -197,11 +214,11 @@ Run declareBreathe(CLI::App& app, CommonOptions& common) {
   CLI::Option* pictures =
       app.add_flag("--pictures", arguments->pictures,
                    "Draw every frame too, beside it and from the same place (.png).");
-  for (CLI::Option* option : addPictureArguments(app, arguments->drawing.look,
-                                                 "Width and height of the pictures in pixels.")) {
+  for (CLI::Option* option :
+       addPictureArguments(app, arguments->look, "Width and height of the pictures in pixels.")) {
     option->needs(pictures);
   }
-  app.add_flag("--onion-skin", arguments->drawing.onionSkin,
+  app.add_flag("--onion-skin", arguments->onionSkin,
                "Draw where the lungs are at the ends of expiration and inspiration, too.")
       ->needs(pictures);
   addOutput(app, common, "FILE",

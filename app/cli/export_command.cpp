@@ -8,12 +8,13 @@
 #include "cli/command.h"
 #include "cli/conversion.h"
 #include "cli/files.h"
+#include "cli/picture_arguments.h"
 #include "cli/text.h"
 #include "io/surface_file.h"
 #include "io/tree_file.h"
 #include "io/volume_file.h"
-#include "pipeline/case_export.h"
 #include "pipeline/case_parts.h"
+#include "views/case_export.h"
 
 namespace pneuma::cli {
 namespace {
@@ -30,7 +31,8 @@ struct ExportArguments {
   std::vector<fs::path> inputs;
   std::vector<std::string> only;
   std::optional<ExportPreset> preset;
-  std::string as;  ///< the format of a preset; empty: the usual one
+  std::string as;    ///< the format of a preset; empty: the usual one
+  std::string view;  ///< of a film; empty: the case's
   Format format = Format::Vtp;
   LengthUnit fromUnits = LengthUnit::Mm;
   LengthUnit units = LengthUnit::Mm;
@@ -250,6 +252,12 @@ void requirePresetAlone(const ExportArguments& arguments) {
 ExitCode runPreset(const ExportArguments& arguments, const CommonOptions& common,
                    const Progress& progress) {
   requirePresetAlone(arguments);
+  const bool film = arguments.preset == ExportPreset::Film;
+  if (!arguments.view.empty() && !film) {
+    throw InvalidOption("--view is of a film; leave it out, or give --preset film");
+  }
+  if (!arguments.view.empty()) (void)viewDirection(arguments.view);
+  if (film) requireDisplay();
   requireFolderOutput(common.output);
   const Project project = openCase(arguments.inputs, progress.part(0.0, 0.5, "reading"));
   const std::vector<fs::path> files = presetOutputs(*arguments.preset, project.state, arguments.as);
@@ -260,8 +268,10 @@ ExitCode runPreset(const ExportArguments& arguments, const CommonOptions& common
       requireOtherThanInputs(common.output / file, arguments.inputs);
     }
   }
-  writePreset(common.output, *arguments.preset, project.state, common.existing(),
-              progress.part(0.5, 1.0, "exporting"), {}, arguments.as);
+  const ViewDirection view =
+      arguments.view.empty() ? savedView(project.view) : viewDirection(arguments.view);
+  exportCase(common.output, *arguments.preset, project.state, view, common.existing(),
+             progress.part(0.5, 1.0, "exporting"), {}, arguments.as);
   if (common.quiet) return ExitCode::Done;
   printWarnings(project.notes);
   for (const fs::path& file : files) std::cout << (common.output / file).string() << "\n";
@@ -271,6 +281,7 @@ ExitCode runPreset(const ExportArguments& arguments, const CommonOptions& common
 ExitCode runExport(const ExportArguments& arguments, const CommonOptions& common,
                    const Progress& progress) {
   if (arguments.preset) return runPreset(arguments, common, progress);
+  if (!arguments.view.empty()) throw InvalidOption("--view goes with --preset film");
   if (!arguments.as.empty()) throw InvalidOption("--as goes with --preset; else it is --format");
   const std::vector<Lobe> only = parsedLobes(arguments.only);
   const std::vector<Job> all =
@@ -313,14 +324,18 @@ Run declareExport(CLI::App& app, CommonOptions& common) {
          "--preset", [arguments](const std::string& text) { arguments->preset = presetOf(text); },
          "What it is for: paraview (VTP with a .vtm for all of it, the breath as .pvd), print (STL "
          "of every lobe, mm), segmentation (labels with lobes as NIfTI), tree (VTP, SWC, CSV and "
-         "JSON), recipe (what was done, for 'pneuma run'). OUT is a folder, written whole or not "
-         "at "
-         "all.")
+         "JSON), recipe (what was done, for 'pneuma run'); of a case that breathes share (animated "
+         "glTF for web pages, Blender and slides) and film (a breath as .ogv). OUT is a folder, "
+         "written whole or not at all.")
       ->type_name(choiceType(choices(ExportPreset{})));
   app.add_option("--as", arguments->as,
                  "Format of a preset's files, in place of the usual one: of print stl, obj, ply or "
                  "vtp; of segmentation nii.gz, nrrd or mha.")
       ->type_name("FORMAT");
+  app.add_option("--view", arguments->view,
+                 "From where --preset film looks: anterior, posterior, left, right, superior, "
+                 "inferior, or AZ,EL in degrees; else as when the project was saved.")
+      ->type_name("VIEW");
   addFields(app, *arguments);
   return [arguments, &common](const Progress& progress) {
     return runExport(*arguments, common, progress);

@@ -6,6 +6,7 @@
 #include <cstring>
 #include <limits>
 #include <span>
+#include <string_view>
 
 #include "core/error.h"
 #include "io/json.h"
@@ -23,6 +24,8 @@ constexpr int UnsignedInt = 5125;
 constexpr int Float = 5126;
 
 constexpr double MetresPerMm = 0.001;
+constexpr std::size_t PieceBytes = std::size_t{8}
+                                   << 20;  // written between two looks whether to stop
 
 /// Turns LPS (z up, the patient faces -y) to y up, facing z: a quarter about x.
 const Json Turn = {-std::sqrt(0.5), 0.0, 0.0, std::sqrt(0.5)};
@@ -138,20 +141,25 @@ Json meshOf(const MorphingMesh& mesh, std::size_t material, Buffer& buffer) {
           {"weights", {0.0}}};
 }
 
-std::string chunk(std::string content, const char* kind, char padding) {
-  content.resize((content.size() + 3) / 4 * 4, padding);
-  const auto length = static_cast<std::uint32_t>(content.size());
+/// Of a chunk whose length is a multiple of four bytes.
+std::string chunkHead(std::size_t size, const char* kind) {
+  const auto length = static_cast<std::uint32_t>(size);
   std::string text(8, '\0');
   std::memcpy(text.data(), &length, 4);
   std::memcpy(text.data() + 4, kind, 4);
-  return text + content;
+  return text;
+}
+
+std::string chunk(std::string content, const char* kind, char padding) {
+  content.resize((content.size() + 3) / 4 * 4, padding);
+  return chunkHead(content.size(), kind) + content;
 }
 
 }  // namespace
 
 void writeAnimatedGltf(const std::filesystem::path& path, const std::vector<MorphingMesh>& meshes,
                        const std::vector<double>& seconds, const std::vector<MorphWeights>& motions,
-                       Existing existing) {
+                       Existing existing, const Progress& progress) {
   if (meshes.empty() || seconds.empty()) throw InvalidInput("there is nothing that moves to write");
   Json file = {{"asset", {{"version", "2.0"}, {"generator", "Pneuma"}}},
                {"scene", 0},
@@ -169,6 +177,7 @@ void writeAnimatedGltf(const std::filesystem::path& path, const std::vector<Morp
   file["nodes"].push_back(
       {{"name", "Lungs"}, {"rotation", Turn}, {"scale", {MetresPerMm, MetresPerMm, MetresPerMm}}});
   for (const MorphingMesh& mesh : meshes) {
+    progress.throwIfStopped();
     const std::size_t node = file["nodes"].size();
     file["nodes"].push_back({{"name", mesh.name}, {"mesh", file["meshes"].size()}});
     file["meshes"].push_back(meshOf(mesh, file["materials"].size(), buffer));
@@ -200,8 +209,16 @@ void writeAnimatedGltf(const std::filesystem::path& path, const std::vector<Morp
   std::string text = "glTF";
   text.append(reinterpret_cast<const char*>(head.data()), sizeof(head));
   text += content;
-  text += chunk(buffer.bytes(), "BIN\0", '\0');
-  writeFile(path, text, existing);
+  AtomicFile target(path, existing);
+  target.write(text);
+  target.write(chunkHead(buffer.bytes().size(), "BIN\0"));
+  const std::string_view bytes = buffer.bytes();
+  for (std::size_t at = 0; at < bytes.size(); at += PieceBytes) {
+    progress.report(static_cast<double>(at) / static_cast<double>(bytes.size()));
+    target.write(bytes.substr(at, PieceBytes));
+  }
+  progress.report(1.0);
+  target.commit();
 }
 
 }  // namespace pneuma

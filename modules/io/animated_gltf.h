@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/progress.h"
 #include "io/atomic_file.h"
 
 namespace pneuma {
@@ -32,9 +33,10 @@ using MorphWeights = std::vector<double>;
 /// and the patient facing z, as glTF has it.
 /// @param seconds of the moments, rising, from 0
 /// @param motions each with as many weights as moments
-/// @throws OutputFailed; InvalidInput if there is nothing to write or it would exceed 4 GB
+/// @throws OutputFailed; InvalidInput if there is nothing to write or it would exceed 4 GB;
+/// Cancelled
 void writeAnimatedGltf(const std::filesystem::path& path, const std::vector<MorphingMesh>& meshes,
                        const std::vector<double>& seconds, const std::vector<MorphWeights>& motions,
-                       Existing existing = Existing::Replace);
+                       Existing existing = Existing::Replace, const Progress& progress = {});
 
 }  // namespace pneuma

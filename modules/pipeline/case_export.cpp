@@ -24,6 +24,8 @@ namespace fs = std::filesystem;
 
 constexpr const char* TogetherFile = "case.vtm";
 constexpr const char* BreathFile = "breath.pvd";
+constexpr const char* ShareFile = "breath.glb";
+constexpr const char* FilmFile = "breath.ogv";
 constexpr const char* LabelStem = "labels";
 constexpr std::array<const char*, 4> TreeFiles = {"tree.vtp", "tree.swc", "tree.csv", "tree.json"};
 constexpr std::array<std::string_view, 4> SurfaceFormats = {"stl", "obj", "ply", "vtp"};
@@ -91,6 +93,16 @@ void writeForParaview(const fs::path& folder, const ProjectState& state, const M
   writeBreath(folder / BreathFile, lungs, report, progress.part(0.6, 1.0, "writing"));
 }
 
+void writeBreathOf(const ProjectState& state, const fs::path& file, const MadeBreath& breath,
+                   const WriteBreathing& write, const Progress& progress) {
+  if (breath.lungs != nullptr) {
+    write(file, *breath.lungs, progress);
+    return;
+  }
+  write(file, breathe(state.model, *state.breath, progress.part(0.0, 0.4, "moving lungs")),
+        progress.part(0.4, 1.0, ""));
+}
+
 /// The format that is asked for, or the usual one.
 std::string takenFormat(ExportPreset preset, std::string_view format) {
   const auto formats = formatsOf(preset);
@@ -149,6 +161,10 @@ void writeAirways(const fs::path& folder, const LungModel& model, const Progress
       throw InvalidInput(start + "the case has no airways");
     case ExportLack::FoundLungs:
       throw InvalidInput(start + "the case has no lungs that were found in a CT");
+    case ExportLack::Breath:
+      throw InvalidInput(start +
+                         "the case does not breathe; open it in the window, breathe in the step "
+                         "Breathing and save it, or use 'pneuma breathe'");
     default:
       throw InvalidInput(start + "the case has neither surfaces nor airways");
   }
@@ -169,6 +185,9 @@ ExportLack lackOf(ExportPreset preset, const ProjectState& state) {
                                                                : ExportLack::Labels;
     case ExportPreset::Recipe:
       return hasRecipe(state) ? ExportLack::Nothing : ExportLack::FoundLungs;
+    case ExportPreset::Share:
+    case ExportPreset::Film:
+      return breathes(state) ? ExportLack::Nothing : ExportLack::Breath;
     case ExportPreset::Tree:
       break;
   }
@@ -205,6 +224,10 @@ std::vector<fs::path> presetOutputs(ExportPreset preset, const ProjectState& sta
       return {labelFile(taken)};
     case ExportPreset::Recipe:
       return recipeFiles(state);
+    case ExportPreset::Share:
+      return {ShareFile};
+    case ExportPreset::Film:
+      return {FilmFile};
     case ExportPreset::Tree:
       break;
   }
@@ -213,7 +236,7 @@ std::vector<fs::path> presetOutputs(ExportPreset preset, const ProjectState& sta
 
 void writePreset(const fs::path& folder, ExportPreset preset, const ProjectState& state,
                  Existing existing, const Progress& progress, const MadeBreath& breath,
-                 std::string_view format) {
+                 std::string_view format, const WriteBreathing& writeBreathing) {
   const std::string taken = takenFormat(preset, format);
   const ExportLack lack = lackOf(preset, state);
   if (lack != ExportLack::Nothing) throwLack(preset, lack);
@@ -235,6 +258,12 @@ void writePreset(const fs::path& folder, ExportPreset preset, const ProjectState
       break;
     case ExportPreset::Recipe:
       writeRecipe(staged.path(), state);
+      break;
+    case ExportPreset::Share:
+      writeBreathOf(state, staged.path() / ShareFile, breath, writeBreathing, progress);
+      break;
+    case ExportPreset::Film:
+      writeBreathOf(state, staged.path() / FilmFile, breath, writeBreathing, progress);
       break;
   }
   progress.report(1.0);

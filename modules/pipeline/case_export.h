@@ -2,6 +2,7 @@
 
 #include <array>
 #include <filesystem>
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -18,15 +19,17 @@ enum class ExportPreset {
   Print,         ///< every surface as STL, mm
   Segmentation,  ///< the labels, with lobes where lungs were split, as NIfTI
   Tree,          ///< the airways as VTP, SWC, CSV and JSON
-  Recipe         ///< what was done, for `pneuma run` to do it again
+  Recipe,        ///< what was done, for `pneuma run` to do it again
+  Share,         ///< lungs and airways, breathing, as animated glTF
+  Film           ///< a breath as a film
 };
 
-constexpr std::array<std::string_view, 5> choices(ExportPreset) {
-  return {"paraview", "print", "segmentation", "tree", "recipe"};
+constexpr std::array<std::string_view, 7> choices(ExportPreset) {
+  return {"paraview", "print", "segmentation", "tree", "recipe", "share", "film"};
 }
 
 /// What a case lacks for a preset.
-enum class ExportLack { Nothing, Anything, Surfaces, Labels, Tree, FoundLungs };
+enum class ExportLack { Nothing, Anything, Surfaces, Labels, Tree, FoundLungs, Breath };
 
 ExportLack lackOf(ExportPreset preset, const ProjectState& state);
 
@@ -45,14 +48,21 @@ struct MadeBreath {
   const Json* report = nullptr;           ///< its breatheReport()
 };
 
+/// Writes lungs that breathe into the file of a preset, aside. @throws what writing them throws
+using WriteBreathing = std::function<void(const std::filesystem::path& file,
+                                          const BreathingLungs& lungs, const Progress& progress)>;
+
 /// Writes what a preset makes of a case into a folder: everything, or nothing. Names of the case
 /// and its files go nowhere, but for the path of the CT in a recipe.
 /// @throws InvalidInput if the case has nothing that the preset takes; OutputFailed; as breathe();
 /// Cancelled
 /// @param format one of formatsOf(); empty: the usual one
 /// @throws InvalidOption for another format
+/// @param writeBreathing of Share and Film, which is drawn above this module: `exportCase()`
+/// (views/case_export.h) has it. @pre there is one for these two
 void writePreset(const std::filesystem::path& folder, ExportPreset preset,
                  const ProjectState& state, Existing existing, const Progress& progress = {},
-                 const MadeBreath& breath = {}, std::string_view format = {});
+                 const MadeBreath& breath = {}, std::string_view format = {},
+                 const WriteBreathing& writeBreathing = {});
 
 }  // namespace pneuma

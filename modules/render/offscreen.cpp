@@ -16,6 +16,7 @@
 #include "render/display.h"
 #include "render/head_view.h"
 #include "render/picture.h"
+#include "render/steady_view.h"
 #include "render/stereo.h"
 #include "render/vtk_messages.h"
 
@@ -164,6 +165,23 @@ Picture renderStereo(Scene& scene, int width, int height, const StereoOptions& o
   requireDrawable(each, height);
   Offscreen offscreen(scene, each, height, supersampling(each, height));
   return offscreen.drawFor(options);
+}
+
+struct SteadyView::State {
+  Scene& scene;
+  Offscreen offscreen;
+};
+
+SteadyView::SteadyView(Scene& scene, int width, int height) {
+  requireDrawable(width, height);
+  state_.reset(new State{scene, {scene, width, height, supersampling(width, height)}});
+}
+
+SteadyView::~SteadyView() = default;
+
+Picture SteadyView::draw() {
+  state_->scene.updateAnnotations();
+  return state_->offscreen.draw();
 }
 
 struct HeadView::State {

@@ -78,6 +78,20 @@ expect "not four files" test "$(ls tree4 | tr '\n' ' ')" = "tree.csv tree.json t
 succeeds "as a recipe" export case.pneuma --preset recipe -o recipe -q
 succeeds "which runs" run recipe/recipe.json --dry-run -o other
 refuses "no recipe of surfaces" 4 'no lungs that were found in a CT' export parts/rul.stl --preset recipe -o other
+refuses "an animation without a breath" 4 "does not breathe.*step Breathing" export case.pneuma --preset share -o other
+refuses "a view of a tree" 2 'is of a film' export case.pneuma --preset tree --view left -o other
+refuses "a view without a preset" 2 'goes with --preset film' export case.pneuma --view left -o other
+DISPLAY=:none refuses "a film without a display" 10 'no picture can be made' export case.pneuma --preset film -o other
+DISPLAY=:none refuses "a view that is none" 2 "'lef'" export case.pneuma --preset film --view lef -o other
+# The breath is made in the window; as it stands in the project.
+breath='{"scenario":"quiet","tidal":0,"period":2,"frames":2,"motion":"scenario","affected":"left","posture":"supine","model":"preset","fit":null,"person":null,"regions":[]}'
+sed "s/\"breath\": null/\"breath\": $breath/" raw/project.json >breathing.json
+packAll() (cp -r raw breathing && cp breathing.json breathing/project.json && cd breathing && cmake -E tar cf ../breathing.pneuma --format=zip -- *)
+expect "cannot pack it" packAll
+DISPLAY=:none succeeds "an animation without a display" export breathing.pneuma --preset share -o share
+prints 'share/breath.glb'
+expect "the animation is no glTF" test "$(head -c 4 share/breath.glb)" = glTF
+refuses "over an animation that is there" 6 '--force' export breathing.pneuma --preset share -o share
 refuses "over files that are there" 6 '--force' export case.pneuma --preset tree -o tree4
 succeeds "over them all the same" export case.pneuma --preset tree -o tree4 -f -q
 refuses "no such preset" 2 "did you mean 'print'" export case.pneuma --preset prin -o other

@@ -27,9 +27,13 @@ copied() {
 }
 
 "$PNEUMA" sample "$FOLDER/chest" --format vtp --cell 4 -q || fail "no sample"
-mkdir -p "$FOLDER/window/objs" "$FOLDER/window/paraview" "$FOLDER/window/print" "$FOLDER/window/tree"
+mkdir -p "$FOLDER/window/objs" "$FOLDER/window/paraview" "$FOLDER/window/print" "$FOLDER/window/tree" \
+  "$FOLDER/window/share" "$FOLDER/window/film" "$FOLDER/window/cancelled"
 echo "from before" >"$FOLDER/window/print/rul.stl"
+echo "from before" >"$FOLDER/window/film/breath.ogv"
 "$DESKTOP" --play "$here/export.json" --screenshots "$OUT" || fail "the window"
+
+[ -z "$(ls -A "$FOLDER/window/cancelled")" ] || fail "a film that was cancelled left a file"
 
 copied airways
 cmp "$FOLDER/window/tree/tree.vtp" tree.vtp || fail "the copied command grows another tree"
@@ -42,6 +46,17 @@ for preset in paraview print tree; do
   copied $preset
   diff -r -I peak_memory_mb "$FOLDER/window/$preset" $preset || fail "$preset differs"
 done
+copied share
+cmp "$FOLDER/window/share/breath.glb" share/breath.glb || fail "the copied command moves otherwise"
+[ "$(head -c 4 share/breath.glb)" = glTF ] || fail "the animation is no glTF"
+"$PNEUMA" breathe "$FOLDER/case.pneuma" --frames 3 --period 2 --gltf same.glb -o same.pvd -q
+cmp same.glb share/breath.glb || fail "pneuma breathe writes another animation"
+copied film
+cmp "$FOLDER/window/film/breath.ogv" film/breath.ogv || fail "the copied command makes another film"
+[ "$(head -c 4 film/breath.ogv)" = OggS ] || fail "the film is no Ogg"
+# It was saved as it was looked at in the beginning, from the front.
+"$PNEUMA" export "$FOLDER/case.pneuma" --preset film -o front -q || fail "no film as it was saved"
+cmp -s front/breath.ogv film/breath.ogv && fail "the film is the same from everywhere"
 copied objs
 grep -q -- '--as obj' "$OUT/objs.txt" || fail "the copied command has another format"
 for lobe in rul rml rll lul lll; do

@@ -2,6 +2,7 @@
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
+#include <cmath>
 
 #include <gtest/gtest.h>
 
@@ -10,6 +11,7 @@
 #include "growth/centroid_splitting.h"
 #include "io/atomic_file.h"
 #include "io/tree_file.h"
+#include "views/case_export.h"
 
 namespace pneuma {
 namespace {
@@ -73,6 +75,72 @@ TEST_F(ExportTest, WritesEveryFileOfAPreset) {
   EXPECT_EQ(filesIn(at("")), 2U);
 }
 
+TEST_F(ExportTest, WritesABreathAsAnimation) {
+  document.openSample();
+  wait();
+  EXPECT_FALSE(offers(ExportKind::Share));
+  EXPECT_FALSE(offers(ExportKind::Film));
+  EXPECT_TRUE(document.filesInTheWay(ExportPreset::Share, at("share")).empty());
+  BreatheOptions options = document.breatheOptions();
+  options.periodSeconds = 3.0;
+  options.frames = 4;
+  document.setBreatheOptions(options);
+  document.breathe();
+  wait();
+  EXPECT_TRUE(offers(ExportKind::Share));
+  EXPECT_TRUE(offers(ExportKind::Film));
+  document.exportCase(ExportPreset::Share, at("share"));
+  wait();
+  ASSERT_EQ(failed.count(), 0) << failed.at(0).at(1).toString().toStdString();
+  EXPECT_EQ(filesIn(at("share")), 1U);
+  const std::string file = readFile(at("share/breath.glb"));
+  constexpr std::size_t Head = 20;  // of the file and of its first part
+  const Json parts = Json::parse(file.substr(Head, file.find(std::string("BIN\0", 4)) - Head - 4));
+  EXPECT_EQ(parts.at("meshes").size(), 7U);  // five lobes, the airways of each lung
+  const Json& times =
+      parts.at("accessors")
+          .at(parts.at("animations").at(0).at("samplers").at(0).at("input").get<std::size_t>());
+  EXPECT_EQ(times.at("count"), 5);  // the first moment comes again in the end
+  EXPECT_EQ(times.at("max").at(0), 3.0);
+  EXPECT_EQ(document.filesInTheWay(ExportPreset::Share, at("share")),
+            std::vector<fs::path>{"breath.glb"});
+}
+
+TEST_F(ExportTest, RefusesAFilmWhereNothingCanBeDrawn) {
+  document.openSample();
+  wait();
+  document.breathe();
+  wait();
+  const QByteArray display = qgetenv("DISPLAY");
+  qputenv("DISPLAY", ":no-such-display");
+  document.exportCase(ExportPreset::Film, at("film"));
+  wait();
+  if (display.isNull()) {
+    qunsetenv("DISPLAY");
+  } else {
+    qputenv("DISPLAY", display);
+  }
+  ASSERT_EQ(failed.count(), 1);
+  EXPECT_TRUE(failed.at(0).at(1).toString().contains("no picture can be made"))
+      << failed.at(0).at(1).toString().toStdString();
+  EXPECT_FALSE(fs::exists(at("film")));
+  EXPECT_EQ(filesIn(at("")), 0U);
+}
+
+TEST(SavedView, IsTheProjectsCameraOrTheFront) {
+  const auto view =
+      savedView(Json::parse(R"({"camera": {"azimuth_deg": 90, "elevation_deg": 5}})"));
+  EXPECT_EQ(view.azimuthDeg, 90.0);
+  EXPECT_EQ(view.elevationDeg, 5.0);
+  for (const char* text : {"{}", R"({"camera": 3})", R"({"camera": {"azimuth_deg": "left"}})"}) {
+    EXPECT_EQ(savedView(Json::parse(text)).azimuthDeg, 0.0) << text;
+  }
+  const ViewDirection told = toTenths({-0.04, 12.34});
+  EXPECT_EQ(told.azimuthDeg, 0.0);
+  EXPECT_FALSE(std::signbit(told.azimuthDeg));
+  EXPECT_EQ(told.elevationDeg, 12.3);
+}
+
 TEST_F(ExportTest, TellsWhatItWouldReplace) {
   document.openSample();
   wait();
@@ -87,11 +155,15 @@ TEST_F(ExportTest, TellsWhatItWouldReplace) {
 TEST_F(ExportTest, LeavesNothingIfItIsCancelled) {
   document.openSample();
   wait();
+  document.breathe();
+  wait();
   fs::create_directory(at("there"));
-  for (const char* where : {"there", "new"}) {
-    document.exportCase(ExportPreset::Paraview, at(where));
-    document.jobs().cancel();
-    wait();
+  for (const ExportPreset preset : {ExportPreset::Paraview, ExportPreset::Share}) {
+    for (const char* where : {"there", "new"}) {
+      document.exportCase(preset, at(where));
+      document.jobs().cancel();
+      wait();
+    }
   }
   EXPECT_EQ(failed.count(), 0);
   // Either nothing, or all of it if it was done before.

@@ -166,5 +166,20 @@ TEST_F(ShellCommandTest, WorkThatIsInNoFileIsSavedFirst) {
   EXPECT_NE(obstacle(WorkStep::Airways), "");
 }
 
+TEST_F(ShellCommandTest, AFilmIsDrawnFromWhereOneLooks) {
+  document.openSample();
+  wait();
+  EXPECT_NE(obstacle(WorkStep::Export, {ExportKind::Film, false, {}}), "");
+  document.breathe();
+  wait();
+  EXPECT_NE(obstacle(WorkStep::Export, {ExportKind::Share, false, {}}), "");
+  document.saveProject(at("case.pneuma"), CtStorage::Linked, Json::object(), {});
+  wait();
+  const std::string start = "pneuma export " + inFolder("case.pneuma") + " --preset ";
+  EXPECT_EQ(text(WorkStep::Export, {ExportKind::Share, false, {}}), start + "share -o share");
+  EXPECT_EQ(text(WorkStep::Export, {ExportKind::Film, false, {-10.04, 6.0}}),
+            start + "film --view=-10,6 -o film");
+}
+
 }  // namespace
 }  // namespace pneuma

@@ -13,6 +13,7 @@
 
 #include "core/error.h"
 #include "core/math.h"
+#include "support/progress_recorder.h"
 #include "temp_folder.h"
 
 namespace pneuma {
@@ -86,6 +87,15 @@ TEST(AnimatedGltf, RefusesNothing) {
   EXPECT_THROW(writeAnimatedGltf(folder / "none.glb", {}, {0.0}, {}), InvalidInput);
   EXPECT_THROW(writeAnimatedGltf(folder / "none.glb", {triangle("A", 0)}, {}, {{}}), InvalidInput);
   EXPECT_EQ(folder.fileCount(), 0U);
+}
+
+TEST(AnimatedGltf, LeavesNothingIfItIsCancelled) {
+  const TempFolder folder;
+  testing::ProgressRecorder stopped(0.0);
+  EXPECT_THROW(writeAnimatedGltf(folder / "breath.glb", {triangle("a", 0)}, {0.0, 1.0},
+                                 {{0.0, 1.0}}, Existing::Replace, Progress(stopped)),
+               Cancelled);
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "document/text.h"
+#include "views/breath_pictures.h"
 
 namespace pneuma {
 
@@ -26,13 +27,6 @@ std::vector<double> valuesOf(const MovingSurface& surface, BreathColour colour, 
   return values;
 }
 
-BreathScale scaleOf(const BreathFrame& frame) {
-  BreathScale scale;
-  for (const auto& [side, s] : frame.scale) (side == Side::Right ? scale.right : scale.left) = s;
-  scale.chestWall = frame.chestWallScale;
-  return scale;
-}
-
 }  // namespace
 
 std::shared_ptr<const Breath> breathOf(const LungModel& model, BreathingLungs lungs,
@@ -52,8 +46,8 @@ std::shared_ptr<const Breath> breathOf(const LungModel& model, BreathingLungs lu
     meshes.push_back(moves ? found->surface.mesh : surface.mesh);
     breath->surfaces.push_back({surface.lobe, meshes.back()});
   }
-  const BreathScale deepest = scaleOf(frameAt(breath->lungs, fullestPhase(breath->lungs)));
-  const BreathScale emptiest = scaleOf(frameAt(breath->lungs, emptiestPhase(breath->lungs)));
+  const BreathScale deepest = breathScale(frameAt(breath->lungs, fullestPhase(breath->lungs)));
+  const BreathScale emptiest = breathScale(frameAt(breath->lungs, emptiestPhase(breath->lungs)));
   for (const MovingSurface& surface : breath->lungs.surfaces) {
     const double s = deepest.of(surface.side);
     for (const Vec3& u : surface.displacement) {
@@ -98,7 +92,7 @@ std::shared_ptr<const Breath> breathOf(const LungModel& model, BreathingLungs lu
 }
 
 BreathScale scaleAt(const Breath& breath, double phase) {
-  return scaleOf(frameAt(breath.lungs, phase));
+  return breathScale(frameAt(breath.lungs, phase));
 }
 
 double volumeMlAt(const Breath& breath, double phase) {

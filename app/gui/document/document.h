@@ -19,6 +19,7 @@
 #include "pipeline/case_report.h"
 #include "pipeline/ct_model.h"
 #include "pipeline/project.h"
+#include "render/scene.h"
 
 namespace pneuma {
 
@@ -253,9 +254,9 @@ class Document : public QObject {
 
   /// Writes what a preset makes of the case into a folder, as `pneuma export --preset` does: all of
   /// it or nothing. Files that are there are replaced: ask before.
-  /// @param format one of formatsOf(); empty: the usual one
+  /// @param format one of formatsOf(); empty: the usual one @param view of a film
   void exportCase(ExportPreset preset, const std::filesystem::path& folder,
-                  const std::string& format = {});
+                  const std::string& format = {}, ViewDirection view = {});
 
   /// Those files of a preset that are in a folder already.
   std::vector<std::filesystem::path> filesInTheWay(ExportPreset preset,

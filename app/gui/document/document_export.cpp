@@ -7,6 +7,7 @@
 #include "io/atomic_file.h"
 #include "pipeline/case_document.h"
 #include "render/picture.h"
+#include "views/case_export.h"
 #include "views/case_pictures.h"
 
 // Writing what other programs and people read.
@@ -24,13 +25,13 @@ std::vector<std::filesystem::path> Document::filesInTheWay(ExportPreset preset,
 }
 
 void Document::exportCase(ExportPreset preset, const std::filesystem::path& folder,
-                          const std::string& format) {
+                          const std::string& format, ViewDirection view) {
   touched_ = {folder};
-  jobs_.push(tr("Exporting"), [this, preset, folder, format, state = stateOf(snapshot_),
+  jobs_.push(tr("Exporting"), [this, preset, folder, format, view, state = stateOf(snapshot_),
                                breath = snapshot_.breath](const Progress& progress) {
     MadeBreath made;
     if (breath) made = {&breath->lungs, &breath->report};
-    writePreset(folder, preset, state, Existing::Replace, progress, made, format);
+    pneuma::exportCase(folder, preset, state, view, Existing::Replace, progress, made, format);
     const std::size_t files = presetOutputs(preset, state, format).size();
     return JobQueue::Continuation([this, preset, folder, files, shown = treeOf(state.model)] {
       if (preset == ExportPreset::Tree) {

@@ -21,6 +21,8 @@ QString sentenceOf(ExportLack lack) {
       return QObject::tr("Needs airways: open a tree or grow one.");
     case ExportLack::FoundLungs:
       return QObject::tr("Needs lungs that were found in a CT.");
+    case ExportLack::Breath:
+      return QObject::tr("Needs a breath: make one in the step Breathing.");
     case ExportLack::Anything:
       break;
   }
@@ -47,6 +49,10 @@ std::optional<ExportPreset> presetOf(ExportKind kind) {
       return ExportPreset::Tree;
     case ExportKind::Recipe:
       return ExportPreset::Recipe;
+    case ExportKind::Share:
+      return ExportPreset::Share;
+    case ExportKind::Film:
+      return ExportPreset::Film;
     case ExportKind::Figure:
     case ExportKind::Report:
       break;
@@ -82,6 +88,16 @@ std::vector<ExportRow> exportRows(const Snapshot& snapshot) {
        "recipe",
        tr("Recipe"),
        tr("Options and fissures, for 'pneuma run' to do all of it again; tells where the CT is."),
+       {}},
+      {ExportKind::Share,
+       "share",
+       tr("Animation in 3-D"),
+       tr("Lungs that breathe, for web pages, slides: glTF. No figures."),
+       {}},
+      {ExportKind::Film,
+       "film",
+       tr("Film"),
+       tr("One breath from where you look: OGV. Colours of lobes alone."),
        {}},
       {ExportKind::Figure, "figure", tr("Figure"), tr("The 3-D view as it is: PNG."), {}},
       {ExportKind::Report,

@@ -10,9 +10,9 @@
 namespace pneuma {
 
 /// What the step "Export" offers.
-enum class ExportKind { Paraview, Print, Segmentation, Tree, Recipe, Figure, Report };
+enum class ExportKind { Paraview, Print, Segmentation, Tree, Recipe, Share, Film, Figure, Report };
 
-inline constexpr int ExportKinds = 7;
+inline constexpr int ExportKinds = 9;
 
 /// The preset that makes it; none for a picture and a report.
 std::optional<ExportPreset> presetOf(ExportKind kind);

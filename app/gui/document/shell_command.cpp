@@ -3,7 +3,6 @@
 #include <QObject>
 #include <algorithm>
 #include <cctype>
-#include <cmath>
 #include <string>
 
 #include "document/document.h"
@@ -11,6 +10,7 @@
 #include "pipeline/compare_methods.h"
 #include "pipeline/fissure_snapping.h"
 #include "pipeline/lobe_shares.h"
+#include "views/case_export.h"
 
 namespace pneuma {
 
@@ -241,8 +241,10 @@ std::string textOfRegion(const StiffnessRegion& region) {
          factor;
 }
 
-/// To a tenth of a degree.
-std::string textOfAngle(double degrees) { return textOf(std::round(10.0 * degrees) / 10.0 + 0.0); }
+std::string textOfView(ViewDirection view) {
+  const ViewDirection told = toTenths(view);
+  return textOf(told.azimuthDeg) + "," + textOf(told.elevationDeg);
+}
 
 ShellCommand openCommand(const Document& document) {
   const LungModel& model = document.model();
@@ -360,11 +362,11 @@ ShellCommand exportCommand(const Document& document, const ExportWish& wish) {
     if (!wish.format.empty() && wish.format != formatsOf(*preset).front()) {
       line.option("as", wish.format);
     }
+    if (preset == ExportPreset::Film) line.option("view", textOfView(wish.view));
     return {source.lines << line.output(row.name), {}};
   }
   if (wish.kind == ExportKind::Figure) {
-    line.option("view",
-                textOfAngle(wish.view.azimuthDeg) + "," + textOfAngle(wish.view.elevationDeg));
+    line.option("view", textOfView(wish.view));
     return {source.lines << line.output("figure.png"), {}};
   }
   if (wish.identify) line.add("--identify");

@@ -20,7 +20,7 @@ enum class WorkStep { Open, Lungs, Lobes, Airways, Breathing, Export };
 struct ExportWish {
   ExportKind kind = ExportKind::Paraview;
   bool identify = false;  ///< the report
-  ViewDirection view{};   ///< of the figure
+  ViewDirection view{};   ///< of the figure and the film
   std::string format{};   ///< of a preset; empty: the usual one
 };
 

@@ -60,12 +60,9 @@ ExportPanel::ExportPanel(Document& document, const Actions& actions, QWidget* pa
   presetFormat_->setObjectName(QStringLiteral("presetFormat"));
   presetFormat_->setAccessibleName(tr("Format of the files"));
   presetFormat_->setToolTip(tr("Format of the files"));
-  column->addWidget(presetFormat_);
   identify_ = new QCheckBox(tr("Name the case and its files"));
   identify_->setObjectName(QStringLiteral("identify"));
   identify_->setToolTip(tr("The report tells whose lungs they are; without it, hashes alone"));
-  column->addWidget(identify_);
-  column->addWidget(actionButton(actions.exportCase, "exportCase", "primary"));
   column->addSpacing(10);
   column->addWidget(heading(tr("Airway tree alone")));
   column->addWidget(makeFormats());
@@ -81,6 +78,10 @@ ExportPanel::ExportPanel(Document& document, const Actions& actions, QWidget* pa
   column->addWidget(actionButton(actions.saveProject, "saveProject"));
   column->addStretch();
   fillScrolling(this, content);
+  // In sight wherever the list is.
+  layout()->addWidget(presetFormat_);
+  layout()->addWidget(identify_);
+  layout()->addWidget(actionButton(actions.exportCase, "exportCase", "primary"));
 
   connect(kinds_, &QButtonGroup::idClicked, this, [this] {
     identify_->setVisible(kind() == ExportKind::Report);

@@ -31,7 +31,7 @@ void MainWindow::exportCase() {
       const std::filesystem::path folder = name.toStdString();
       const std::string format = exportPanel_->presetFormat().toStdString();
       const auto write = [this, kind, folder, format] {
-        document_.exportCase(kind, folder, format);
+        document_.exportCase(kind, folder, format, view_->lookingFrom());
       };
       const auto there = document_.filesInTheWay(kind, folder, format);
       if (there.empty()) {
@@ -78,9 +78,10 @@ void MainWindow::copyCommand() {
 
 void MainWindow::updateExportActions() {
   const bool busy = document_.jobs().busy();
-  const bool figure = exportPanel_->kind() == ExportKind::Figure;
+  const bool drawn =
+      exportPanel_->kind() == ExportKind::Figure || exportPanel_->kind() == ExportKind::Film;
   const QString lack =
-      figure && !view_->obstacle().isEmpty() ? view_->obstacle() : exportPanel_->lack();
+      drawn && !view_->obstacle().isEmpty() ? view_->obstacle() : exportPanel_->lack();
   allow(*actions_.exportCase, lack.isEmpty() && !busy,
         tr("Write what is chosen in the step Export"), busy ? tr("A job is running") : lack);
   const QString obstacle = commandNow().obstacle;

@@ -1,4 +1,4 @@
-#include "cli/breath_gltf.h"
+#include "views/breath_gltf.h"
 
 #include <map>
 #include <string>
@@ -10,7 +10,7 @@
 #include "render/colour_map.h"
 #include "render/tube_mesh.h"
 
-namespace pneuma::cli {
+namespace pneuma {
 namespace {
 
 /// Motions of the file: what no lung has a scale for goes with the right one, as on the screen.
@@ -47,18 +47,21 @@ MorphingMesh meshOf(const MovingSurface& surface, const SceneOptions& look) {
 }
 
 /// The airways as tubes, those of each lung by themselves: each follows its lung.
-std::vector<MorphingMesh> airways(const BreathingLungs& lungs, const SceneOptions& look) {
+std::vector<MorphingMesh> airways(const BreathingLungs& lungs, const SceneOptions& look,
+                                  const Progress& progress) {
   const AirwayTree& tree = *lungs.tree;
   const std::vector<bool> all(tree.size(), true);
   const std::vector<Rgb> colours = branchColours(tree, all, look).colours;
   std::vector<MorphingMesh> meshes;
   for (const bool left : {false, true}) {
+    progress.report(left ? 0.5 : 0.0);
     std::vector<bool> visible(tree.size());
     for (std::size_t n = 0; n < tree.size(); ++n) {
       visible[n] = (side(tree[n].lobe) == Side::Left) == left;
     }
     TubeMesh tubes = tubeMesh(tree, visible, colours, {});
     if (tubes.triangles.empty()) continue;
+    progress.throwIfStopped();
     BreathAttributes attributes =
         breathAttributes(tree, lungs.treeMotion, tubes.points, tubes.branches);
     MorphingMesh mesh;
@@ -82,12 +85,15 @@ std::vector<MorphingMesh> airways(const BreathingLungs& lungs, const SceneOption
 }  // namespace
 
 void writeBreathGltf(const std::filesystem::path& path, const BreathingLungs& lungs,
-                     Existing existing) {
+                     Existing existing, const Progress& progress) {
   const SceneOptions look;
   // Airways first: what is seen through the lobes is drawn before them.
   std::vector<MorphingMesh> meshes;
-  if (lungs.tree) meshes = airways(lungs, look);
-  for (const MovingSurface& surface : lungs.surfaces) meshes.push_back(meshOf(surface, look));
+  if (lungs.tree) meshes = airways(lungs, look, progress.part(0.0, 0.4, "shaping airways"));
+  for (const MovingSurface& surface : lungs.surfaces) {
+    progress.throwIfStopped();
+    meshes.push_back(meshOf(surface, look));
+  }
   std::vector<double> seconds;
   std::vector<MorphWeights> weights(2);
   const auto add = [&](double at, const BreathFrame& frame) {
@@ -99,7 +105,7 @@ void writeBreathGltf(const std::filesystem::path& path, const BreathingLungs& lu
   };
   for (const BreathFrame& frame : lungs.frames) add(frame.phase * lungs.drive.period, frame);
   add(lungs.drive.period, lungs.frames.front());
-  writeAnimatedGltf(path, meshes, seconds, weights, existing);
+  writeAnimatedGltf(path, meshes, seconds, weights, existing, progress.part(0.6, 1.0, "writing"));
 }
 
-}  // namespace pneuma::cli
+}  // namespace pneuma
