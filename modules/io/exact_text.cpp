@@ -65,10 +65,16 @@ class PlyHead {
 };
 
 template <class T>
-std::string nrrdOf(const Image<T>& image) {
+std::string headOf(const ImageGeometry& geometry) {
   const StoredVoxels stored =
       sizeof(T) == 1 ? StoredVoxels{Scalar::Uint8, true} : StoredVoxels{Scalar::Int16, false};
-  std::string text = nrrdHead(image.geometry, stored, "raw");
+  return nrrdHead(geometry, stored, "raw");
+}
+
+template <class T>
+std::string nrrdOf(const Image<T>& image) {
+  std::string text = headOf<T>(image.geometry);
+  if (image.voxels.empty()) return text;
   const std::size_t head = text.size();
   text.resize(head + image.voxels.size() * sizeof(T));
   std::memcpy(text.data() + head, image.voxels.data(), image.voxels.size() * sizeof(T));
@@ -79,7 +85,7 @@ template <class T>
 Image<T> imageOf(const std::string& content, const ImageGeometry& geometry,
                  const std::string& name) {
   // Where the header says something else, these are not the voxels of this geometry.
-  const std::string head = nrrdOf(Image<T>{geometry, {}});
+  const std::string head = headOf<T>(geometry);
   checkedGeometry(geometry.size, geometry.steps(), geometry.origin, name);
   std::size_t voxels = 1;
   for (const int along : geometry.size) {
