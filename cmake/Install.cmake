@@ -1,8 +1,7 @@
 # What `cmake --install` puts in place beside the programs, which their own folders install.
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/resources/airways" "${PROJECT_SOURCE_DIR}/resources/schemas"
         DESTINATION "${CMAKE_INSTALL_DATADIR}/pneuma")
-install(FILES README.md CITATION.cff SECURITY.md DESTINATION "${CMAKE_INSTALL_DOCDIR}")
-install(FILES packaging/linux/copyright DESTINATION "${CMAKE_INSTALL_DOCDIR}")
+install(FILES LICENSE README.md CITATION.cff SECURITY.md packaging/linux/copyright DESTINATION "${CMAKE_INSTALL_DOCDIR}")
 if(PNEUMA_BUILD_GUI)
   install(FILES packaging/linux/org.pneuma.Pneuma.desktop
           DESTINATION "${CMAKE_INSTALL_DATADIR}/applications")
@@ -36,7 +35,7 @@ install(FILES "${generated}/pneuma.bash" RENAME pneuma DESTINATION "${bash}")
 install(FILES "${generated}/pneuma.zsh" RENAME _pneuma DESTINATION "${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions")
 install(FILES "${generated}/pneuma.fish" DESTINATION "${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d")
 
-# Manual pages, changes and the licence as Debian has them.
+# Manual pages and changes as Debian has them.
 find_program(PNEUMA_GZIP gzip REQUIRED)
 function(pneuma_install_gzipped from name destination)
   set(to "${generated}/${name}.gz")

@@ -2,6 +2,7 @@
 # from wherever it is unpacked. `cpack --config build/release/CPackConfig.cmake -B out`.
 set(CPACK_PACKAGE_NAME pneuma)
 set(CPACK_PACKAGE_VENDOR "The Pneuma developers")
+# No mail reaches this address: who publishes a package puts theirs here.
 set(CPACK_PACKAGE_CONTACT "The Pneuma developers <maintainers@pneuma.example>")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "lobes, airway trees and breathing from chest CT")
 set(CPACK_RESOURCE_FILE_LICENSE "${PROJECT_SOURCE_DIR}/LICENSE")
@@ -13,7 +14,6 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_PRIORITY optional)
-set(CPACK_DEBIAN_PACKAGE_HOMEPAGE "https://pneuma.example")
 # Pictures without a screen, and the font that they are made with.
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "xvfb, xauth, libgl1-mesa-dri, fonts-inter")
 set(CPACK_DEBIAN_PACKAGE_RELEASE 1)

@@ -185,7 +185,8 @@ int main(int argc, char** argv) {
         "line program pneuma.\n",
         ExitCode::NoRendering);
   }
-  if (!arguments.contains(QStringLiteral("--play"))) takeSize(chosenSize());
+  const bool others = arguments.contains(QStringLiteral("--settings"));
+  if (!arguments.contains(QStringLiteral("--play")) && !others) takeSize(chosenSize());
   const auto application = makeApplication(argc, argv);
   if (!line.parser.parse(QCoreApplication::arguments())) {
     return say(stderr, "pneuma-desktop: " + line.parser.errorText().toStdString() + "\n",

@@ -35,6 +35,9 @@ void Tour::start() {
   leave();
   at_ = 0;
   stop_ = 0;
+  before_ = window_.document().model().surfaces;
+  sample_ = nullptr;
+  keepOptions();
   card_ = new TourCard(&window_);
   // Queued: a button must be done with its click before the card goes.
   connect(card_, &TourCard::next, this, &Tour::go, Qt::QueuedConnection);
@@ -46,9 +49,40 @@ void Tour::leave() {
   waiting_.stop();
   if (card_ != nullptr) card_->deleteLater();
   card_ = nullptr;
+  giveOptionsBack();
+}
+
+void Tour::giveUp() {
+  leave();
+  emit window_.document().said(
+      tr("The tour ended: the window was used for something else. Help > Tour begins again."));
+}
+
+void Tour::keepOptions() {
+  Document& document = window_.document();
+  chosen_ = document.growthOptions();
+  options_.clear();
+  for (std::size_t method = 0; method < growthMethods().size(); ++method) {
+    document.setGrowthMethod(method);
+    options_.push_back(document.growthOptions());
+  }
+  document.setGrowthOptions(*chosen_);
+}
+
+void Tour::giveOptionsBack() {
+  // A project that was opened meanwhile brought its own.
+  if (chosen_ && window_.document().projectPath().empty()) {
+    for (const GrowthOptions& options : options_) window_.document().setGrowthOptions(options);
+    window_.document().setGrowthOptions(*chosen_);
+  }
+  chosen_.reset();
 }
 
 void Tour::go() {
+  if (sample_ && window_.document().model().surfaces != sample_) {
+    giveUp();
+    return;
+  }
   while (card_ != nullptr && at_ < steps_.size()) {
     const QJsonObject step = steps_[at_++].toObject();
     if (is(step, "wait")) {
@@ -65,9 +99,7 @@ void Tour::go() {
       player_.perform(step);
     } catch (const ScriptError&) {
       // Somebody did other things meanwhile, and what comes next is not there.
-      leave();
-      emit window_.document().said(
-          tr("The tour ended: the window was used for something else. Help > Tour begins again."));
+      giveUp();
     }
   }
   leave();
@@ -76,6 +108,14 @@ void Tour::go() {
 void Tour::look() {
   if (window_.document().jobs().busy()) return;
   waiting_.stop();
+  if (!sample_) {
+    const auto& surfaces = window_.document().model().surfaces;
+    if (surfaces == before_) {  // opening the sample was stopped
+      giveUp();
+      return;
+    }
+    sample_ = surfaces;
+  }
   go();
 }
 

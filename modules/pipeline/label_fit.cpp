@@ -9,7 +9,7 @@ namespace pneuma {
 
 namespace {
 
-/// Every so many voxels along each axis: thousands are left, and a share needs no more.
+/// Every so many voxels along i and j, slice by slice shifted: a share needs no more.
 constexpr int Stride = 3;
 
 bool isLung(std::uint8_t label) {

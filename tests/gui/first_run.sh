@@ -46,6 +46,7 @@ grep -q welcomed "$FOLDER/settings.ini" 2>/dev/null && fail "what nobody accepte
 play chosen "nothing could be chosen"
 play later "what was chosen was not kept"
 echo '[{"do": "click", "name": "welcomeStart"}]' >"$FOLDER/unasked.json"
-"$DESKTOP" --play "$FOLDER/unasked.json" --settings "$FOLDER/settings.ini" --screenshots "$OUT" 2>/dev/null &&
+"$DESKTOP" --play "$FOLDER/unasked.json" --settings "$FOLDER/settings.ini" --screenshots "$OUT" 2>"$FOLDER/said" &&
   fail "the welcome came although it was accepted"
+grep -q "nothing is called 'welcomeStart'" "$FOLDER/said" || fail "the window did not start: $(cat "$FOLDER/said")"
 echo "done"

@@ -22,7 +22,7 @@ for root in "unpacked here/usr" archive; do
     share/metainfo/org.pneuma.Pneuma.metainfo.xml share/mime/packages/org.pneuma.Pneuma.xml \
     share/icons/hicolor/scalable/apps/org.pneuma.Pneuma.svg share/man/man1/pneuma.1.gz share/man/man1/pneuma-desktop.1.gz \
     share/bash-completion/completions/pneuma share/zsh/vendor-completions/_pneuma \
-    share/fish/vendor_completions.d/pneuma.fish share/doc/pneuma/copyright share/pneuma/schemas/recipe.schema.json; do
+    share/fish/vendor_completions.d/pneuma.fish share/doc/pneuma/copyright share/doc/pneuma/LICENSE share/pneuma/schemas/recipe.schema.json; do
     [ -s "$root/$file" ] || fail "$root lacks $file"
   done
   "$root/bin/pneuma" doctor >doctor.txt 2>&1 || fail "doctor of $root: $(tail -n 3 doctor.txt)"

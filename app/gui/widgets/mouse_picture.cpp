@@ -2,7 +2,9 @@
 
 #include <QPainter>
 #include <QPainterPath>
+#include <algorithm>
 #include <array>
+#include <utility>
 
 #include "widgets/theme.h"
 
