@@ -225,7 +225,8 @@ void ScriptPlayer::set(const QJsonObject& step) const {
     if (!button->isCheckable()) fail(QStringLiteral("this button has no value, only a click"));
     button->setChecked(value.toBool());
   } else if (auto* table = qobject_cast<QAbstractItemView*>(target)) {
-    table->setCurrentIndex(table->model()->index(value.toInt(), 1));
+    const QAbstractItemModel& model = *table->model();
+    table->setCurrentIndex(model.index(value.toInt(), model.columnCount() > 1 ? 1 : 0));
   } else if (auto* line = qobject_cast<QLineEdit*>(target)) {
     line->setText(expanded(value.toString()));
   } else {

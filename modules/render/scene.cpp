@@ -266,6 +266,10 @@ void Scene::setSurfaceVisible(std::size_t index, bool visible) {
   state_->surfaces.setVisible(index, visible);
 }
 
+void Scene::setSurfaceDensity(std::size_t index, double density) {
+  state_->surfaces.setDensity(index, density);
+}
+
 void Scene::setFissures(const FissureScene& fissures) {
   state_->fissures.show(fissures, state_->options);
   state_->surfaces.setShown(state_->fissures.empty());

@@ -65,6 +65,7 @@ struct SceneSurface {
   Lobe lobe = Lobe::Whole;
   std::shared_ptr<const TriangleMesh> mesh;
   bool visible = true;
+  double density = 1.0;  ///< times SceneOptions::lobeOpacity
 };
 
 /// A part of the lungs that is stiffer or softer than the rest.
@@ -103,6 +104,9 @@ class Scene {
 
   void setSurfaces(std::vector<SceneSurface> surfaces);
   void setSurfaceVisible(std::size_t index, bool visible);
+
+  /// Draws one surface denser or fainter than the others, by a factor of how dense they are.
+  void setSurfaceDensity(std::size_t index, double density);
 
   /// Lungs whose fissures are edited, in place of the surfaces; none: the surfaces again.
   void setFissures(const FissureScene& fissures);

@@ -248,6 +248,14 @@ void SurfaceLayer::setVisible(std::size_t index, bool visible) {
   showActors();
 }
 
+void SurfaceLayer::setDensity(std::size_t index, double density) {
+  if (index >= surfaces_.size() || surfaces_[index].density == density) return;
+  surfaces_[index].density = density;
+  for (vtkActor* actor : {actors_[index].Get(), coarse_[index].Get()}) {
+    if (actor != nullptr) colour(actor, index);
+  }
+}
+
 void SurfaceLayer::setShown(bool shown) {
   shown_ = shown;
   showActors();
@@ -281,8 +289,8 @@ void SurfaceLayer::colour(vtkActor* actor, std::size_t index) const {
   actor->GetProperty()->SetColor(colour.r, colour.g, colour.b);
   // Colours that mean a number must be readable through the veil.
   const bool valued = breathing_ && !breathing_->quantity.empty();
-  actor->GetProperty()->SetOpacity(
-      std::min(1.0, (valued ? ValuedGain : 1.0) * veilOpacity(options_)));
+  actor->GetProperty()->SetOpacity(std::min(
+      1.0, (valued ? ValuedGain : 1.0) * surfaces_[index].density * veilOpacity(options_)));
 }
 
 void SurfaceLayer::sortBackToFront() {

@@ -28,6 +28,7 @@ class SurfaceLayer {
 
   void setSurfaces(std::vector<SceneSurface> surfaces, const SceneOptions& options);
   void setVisible(std::size_t index, bool visible);
+  void setDensity(std::size_t index, double density);
 
   /// Lets the surfaces move, or stand (null). One of other surfaces is not taken.
   void setBreathing(std::shared_ptr<const BreathingScene> breathing, const SceneOptions& options);

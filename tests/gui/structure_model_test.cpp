@@ -47,6 +47,24 @@ TEST(StructureModel, ALungThatIsNotSplitIsNamedOnce) {
   EXPECT_EQ(structures.structure(1).depth, 1);
 }
 
+TEST(StructureModel, AParentMakesItsLobesDenserAndTheNextSnapshotKeepsIt) {
+  StructureModel model;
+  model.show(testing::lobesAndTree());
+  QSignalSpy changed(&model, &StructureModel::visibilityChanged);
+  EXPECT_TRUE(model.setData(model.index(1), 2.0, StructureModel::DensityRole));
+  EXPECT_EQ(model.structure(2).density, 2.0);
+  EXPECT_EQ(model.structure(4).density, 1.0);
+  EXPECT_EQ(changed.count(), 1);
+  // A parent tells what all below it have.
+  EXPECT_EQ(model.data(model.index(1), StructureModel::DensityRole).toDouble(), 2.0);
+  EXPECT_EQ(model.data(model.index(0), StructureModel::DensityRole).toDouble(), 1.0);
+  EXPECT_FALSE(model.setData(model.index(2), 3.0, StructureModel::DensityRole));
+  EXPECT_FALSE(model.setData(model.index(5), 2.0, StructureModel::DensityRole));
+  model.show(testing::lobesAndTree());
+  EXPECT_EQ(model.structure(2).density, 2.0);
+  EXPECT_EQ(model.structure(4).density, 1.0);
+}
+
 TEST(StructureModel, AParentsEyeShutsAndOpensItsLobes) {
   StructureModel model;
   model.show(testing::lobesAndTree());

@@ -33,6 +33,15 @@ class SceneInAWindow : public testing::Test {
 
   ~SceneInAWindow() override { scene_.attachTo(nullptr); }
 
+  /// The colours of all pixels.
+  std::vector<unsigned char> everyColour() {
+    scene_.updateAnnotations();
+    window_->Render();
+    vtkNew<vtkUnsignedCharArray> colours;
+    window_->GetPixelData(0, 0, SceneWidth - 1, SceneHeight - 1, 0, colours);
+    return {colours->GetPointer(0), colours->GetPointer(0) + colours->GetNumberOfValues()};
+  }
+
   /// The pixel of a point.
   Vec3 pixelOf(const Vec3& p) {
     scene_.renderer()->SetWorldPoint(p.x(), p.y(), p.z(), 1.0);
@@ -81,6 +90,22 @@ TEST_F(SceneInAWindow, FindsTheSurfaceUnderAPixelWhereItStandsAndSaysWhereThatIs
   hit = scene_.surfaceAt(pixel.x(), pixel.y());
   ASSERT_TRUE(hit);
   EXPECT_NEAR((hit->place - Vec3(5, -20, 0)).norm(), 0.0, 0.2);
+}
+
+TEST_F(SceneInAWindow, ADenserSurfaceIsAsDenseAsAllOfThemWouldBe) {
+  scene_.look({});
+  const auto usual = everyColour();
+  const std::size_t count = test::generatedLobes().size();
+  scene_.setSurfaceDensity(0, 2.0);
+  EXPECT_NE(everyColour(), usual);
+  for (std::size_t i = 1; i < count; ++i) scene_.setSurfaceDensity(i, 2.0);
+  const auto dense = everyColour();
+  for (std::size_t i = 0; i < count; ++i) scene_.setSurfaceDensity(i, 1.0);
+  EXPECT_EQ(everyColour(), usual);
+  SceneOptions options = scene_.options();
+  options.lobeOpacity *= 2.0;
+  scene_.setOptions(options);
+  EXPECT_EQ(everyColour(), dense);
 }
 
 TEST_F(SceneInAWindow, OfTwoBranchesFindsTheNearer) {

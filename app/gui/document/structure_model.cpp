@@ -1,6 +1,8 @@
 #include "document/structure_model.h"
 
 #include <algorithm>
+#include <array>
+#include <optional>
 #include <utility>
 
 #include "document/text.h"
@@ -77,7 +79,9 @@ void StructureModel::show(const Snapshot& snapshot) {
           return old.kind == structure.kind && old.side == structure.side &&
                  old.lobe == structure.lobe;
         });
-    if (before != structures_.end()) structure.visible = before->visible;
+    if (before == structures_.end()) continue;
+    structure.visible = before->visible;
+    structure.density = before->density;
   }
   beginResetModel();
   structures_ = std::move(next);
@@ -103,14 +107,21 @@ int StructureModel::rowCount(const QModelIndex& parent) const {
 QVariant StructureModel::data(const QModelIndex& index, int role) const {
   if (!index.isValid() || index.row() >= rowCount()) return {};
   const Structure& entry = structure(index.row());
+  const double density = densityOf(index.row());
   switch (role) {
     case Qt::DisplayRole:
       return entry.name;
     case Qt::AccessibleTextRole:
-      return QStringLiteral("%1, %2, %3")
-          .arg(entry.name, entry.value, entry.visible ? tr("shown") : tr("hidden"));
+      return QStringLiteral("%1, %2, %3%4")
+          .arg(entry.name, entry.value, entry.visible ? tr("shown") : tr("hidden"),
+               density == 1.0 ? QString() : tr(", %1 times as dense").arg(density));
     case Qt::ToolTipRole:
-      return tr("Click the eye, or press Space, to show or hide");
+      return entry.kind == StructureKind::Airways
+                 ? tr("Click the eye, or press Space, to show or hide")
+                 : tr("Click the eye, or press Space, to show or hide; ] and [ draw it denser or "
+                      "fainter");
+    case DensityRole:
+      return density;
     case Qt::CheckStateRole:
     case VisibleRole:
       return entry.visible ? Qt::Checked : Qt::Unchecked;
@@ -127,12 +138,46 @@ QVariant StructureModel::data(const QModelIndex& index, int role) const {
   }
 }
 
+std::span<const double> StructureModel::densities() {
+  static constexpr std::array<double, 5> factors = {0.25, 0.5, 1.0, 2.0, 4.0};
+  return factors;
+}
+
+int StructureModel::lastBelow(int row) const {
+  int last = row;
+  while (last + 1 < rowCount() && structure(last + 1).depth > structure(row).depth) ++last;
+  return last;
+}
+
+double StructureModel::densityOf(int row) const {
+  std::optional<double> common;
+  for (int i = row; i <= lastBelow(row); ++i) {
+    if (structure(i).kind != StructureKind::Surface) continue;
+    if (common && *common != structure(i).density) return 1.0;
+    common = structure(i).density;
+  }
+  return common.value_or(1.0);
+}
+
+bool StructureModel::setDensity(int row, double density) {
+  const auto known = std::ranges::find(densities(), density);
+  if (known == densities().end() || structure(row).kind == StructureKind::Airways) return false;
+  for (int i = row; i <= lastBelow(row); ++i) {
+    Structure& below = structures_[static_cast<std::size_t>(i)];
+    if (below.kind == StructureKind::Surface) below.density = density;
+  }
+  emit dataChanged(index(0), index(rowCount() - 1));
+  emit visibilityChanged();
+  return true;
+}
+
 bool StructureModel::setData(const QModelIndex& index, const QVariant& value, int role) {
-  if (!index.isValid() || role != Qt::CheckStateRole) return false;
+  if (!index.isValid()) return false;
+  if (role == DensityRole) return setDensity(index.row(), value.toDouble());
+  if (role != Qt::CheckStateRole) return false;
   const bool visible = value.toInt() == Qt::Checked;
   const int depth = structure(index.row()).depth;
-  int last = index.row();
-  while (last + 1 < rowCount() && structure(last + 1).depth > depth) ++last;
+  const int last = lastBelow(index.row());
   for (int i = index.row(); i <= last; ++i)
     structures_[static_cast<std::size_t>(i)].visible = visible;
   // An opened eye below a shut parent opens the parents too: their lobes are what they show.

@@ -2,6 +2,7 @@
 
 #include <QAbstractListModel>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "document/snapshot.h"
@@ -25,9 +26,20 @@ class StructureModel : public QAbstractListModel {
     Lobe lobe = Lobe::Whole;
     std::size_t surface = 0;  ///< index in the model's surfaces, for Kind::Surface
     bool visible = true;
+    double density = 1.0;  ///< one of densities(), times how dense all surfaces are drawn
   };
 
-  enum Role { ValueRole = Qt::UserRole + 1, DepthRole, VisibleRole, LobeRole, KindRole };
+  enum Role {
+    ValueRole = Qt::UserRole + 1,
+    DepthRole,
+    VisibleRole,
+    LobeRole,
+    KindRole,
+    DensityRole
+  };
+
+  /// How much denser a surface can be drawn than it is usual, from faint to dense; 1 among them.
+  static std::span<const double> densities();
 
   using QAbstractListModel::QAbstractListModel;
 
@@ -42,14 +54,22 @@ class StructureModel : public QAbstractListModel {
   int rowCount(const QModelIndex& parent = {}) const override;
   QVariant data(const QModelIndex& index, int role) const override;
 
-  /// Qt::CheckStateRole opens or shuts the eye of a row and of those below it.
+  /// Qt::CheckStateRole opens or shuts the eye of a row and of those below it, DensityRole sets how
+  /// dense its surface and those below it are drawn.
   bool setData(const QModelIndex& index, const QVariant& value, int role) override;
 
  signals:
-  /// Some eye was opened or shut.
+  /// Some eye was opened or shut, or some surface is drawn denser or fainter.
   void visibilityChanged();
 
  private:
+  /// The last row below this one.
+  int lastBelow(int row) const;
+
+  /// Its own, or that of all below it where they agree.
+  double densityOf(int row) const;
+  bool setDensity(int row, double density);
+
   std::vector<Structure> structures_;
 };
 

@@ -278,6 +278,7 @@ void MainWindow::applyVisibility() {
     const auto& structure = structures_.structure(row);
     if (structure.kind == StructureModel::Kind::Surface) {
       view_->setSurfaceVisible(structure.surface, structure.visible);
+      view_->setSurfaceDensity(structure.surface, structure.density);
       if (structure.visible) lungs.insert(structure.side);
     } else if (structure.kind == StructureModel::Kind::Airways) {
       airways = structure.visible;

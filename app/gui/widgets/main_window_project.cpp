@@ -166,10 +166,12 @@ Json MainWindow::viewNow() const {
   view["stereo"] = {{"kind", choices(Stereo{})[static_cast<std::size_t>(stereo.stereo)]},
                     {"eye_distance_mm", stereo.eyeDistanceMm}};
   view["hidden"] = Json::array();
+  view["density"] = Json::object();
   for (int row = 0; row < structures_.rowCount(); ++row) {
     const auto& structure = structures_.structure(row);
     const std::string name = nameOf(structure);
     if (!name.empty() && !structure.visible) view["hidden"].push_back(name);
+    if (!name.empty() && structure.density != 1.0) view["density"][name] = structure.density;
   }
   if (!sliceViews_.empty()) {
     const Vec3& point = sliceViews_.point();
@@ -192,6 +194,9 @@ void MainWindow::showView(const Json& view) {
       const bool shown = std::ranges::find(hidden, name) == hidden.end();
       structures_.setData(structures_.index(row), shown ? Qt::Checked : Qt::Unchecked,
                           Qt::CheckStateRole);
+      structures_.setData(structures_.index(row),
+                          view.value("density", Json::object()).value(name, 1.0),
+                          StructureModel::DensityRole);
     }
     if (view.contains("camera")) {
       const Json& camera = view.at("camera");

@@ -166,6 +166,11 @@ void SceneView::setSurfaceVisible(std::size_t index, bool visible) {
   renderSoon();
 }
 
+void SceneView::setSurfaceDensity(std::size_t index, double density) {
+  scene_->setSurfaceDensity(index, density);
+  renderSoon();
+}
+
 void SceneView::setFissures(const FissureScene& fissures) {
   scene_->setFissures(fissures);
   renderSoon();

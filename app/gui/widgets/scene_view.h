@@ -36,6 +36,7 @@ class SceneView : public QWidget {
 
   void setSurfaces(std::vector<SceneSurface> surfaces);
   void setSurfaceVisible(std::size_t index, bool visible);
+  void setSurfaceDensity(std::size_t index, double density);
 
   /// Lungs whose fissures are edited, in place of the surfaces; none: the surfaces again.
   void setFissures(const FissureScene& fissures);

@@ -1,9 +1,13 @@
 #include "widgets/structure_view.h"
 
+#include <QContextMenuEvent>
 #include <QKeyEvent>
+#include <QMenu>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QStyledItemDelegate>
+#include <algorithm>
+#include <iterator>
 
 #include "document/structure_model.h"
 #include "render/colour_map.h"
@@ -14,6 +18,7 @@ namespace pneuma {
 
 namespace {
 
+constexpr int DensityGap = 10;  ///< between how dense it is and its size
 constexpr int RowHeight = 27;
 constexpr int EyeLeft = 4;
 constexpr int EyeSize = 16;
@@ -65,8 +70,15 @@ class RowPainter : public QStyledItemDelegate {
     painter->setPen(visible ? theme.text : theme.dim);
     const QRect text(left + 20, row.top(), row.right() - left - 26, RowHeight);
     painter->drawText(text, Qt::AlignLeft | Qt::AlignVCenter, index.data().toString());
-    painter->drawText(text, Qt::AlignRight | Qt::AlignVCenter,
-                      index.data(StructureModel::ValueRole).toString());
+    const QString value = index.data(StructureModel::ValueRole).toString();
+    painter->drawText(text, Qt::AlignRight | Qt::AlignVCenter, value);
+    const double density = index.data(StructureModel::DensityRole).toDouble();
+    if (density != 1.0) {
+      painter->setPen(theme.dim);
+      painter->drawText(
+          text.adjusted(0, 0, -option.fontMetrics.horizontalAdvance(value) - DensityGap, 0),
+          Qt::AlignRight | Qt::AlignVCenter, QStringLiteral("\u00d7%1").arg(density));
+    }
     painter->restore();
   }
 };
@@ -88,6 +100,11 @@ StructureView::StructureView(QWidget* parent) : QListView(parent) {
 void StructureView::setModel(QAbstractItemModel* model) {
   QListView::setModel(model);
   connect(model, &QAbstractItemModel::modelReset, this, [this] { updateGeometry(); });
+  const auto tell = [this] {
+    setAccessibleDescription(currentIndex().data(Qt::AccessibleTextRole).toString());
+  };
+  connect(model, &QAbstractItemModel::dataChanged, this, tell);
+  connect(selectionModel(), &QItemSelectionModel::currentChanged, this, tell);
 }
 
 QSize StructureView::sizeHint() const {
@@ -114,7 +131,46 @@ void StructureView::keyPressEvent(QKeyEvent* event) {
     toggle(currentIndex());
     return;
   }
+  if ((event->key() == Qt::Key_BracketRight || event->key() == Qt::Key_BracketLeft) &&
+      currentIndex().isValid()) {
+    makeDenser(currentIndex(), event->key() == Qt::Key_BracketRight ? 1 : -1);
+    return;
+  }
   QListView::keyPressEvent(event);
+}
+
+void StructureView::makeDenser(const QModelIndex& index, int steps) {
+  const std::span<const double> densities = StructureModel::densities();
+  const double now = index.data(StructureModel::DensityRole).toDouble();
+  const auto at = std::ranges::find(densities, steps == 0 ? 1.0 : now) - densities.begin();
+  const auto next = std::clamp<std::ptrdiff_t>(at + steps, 0, std::ssize(densities) - 1);
+  model()->setData(index, densities[static_cast<std::size_t>(next)], StructureModel::DensityRole);
+}
+
+void StructureView::contextMenuEvent(QContextMenuEvent* event) {
+  const QModelIndex row = indexAt(event->pos());
+  if (!row.isValid()) return;
+  setCurrentIndex(row);
+  auto* menu = new QMenu(this);
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  const bool visible = row.data(Qt::CheckStateRole).toInt() == Qt::Checked;
+  const QPersistentModelIndex index = row;
+  menu->addAction(visible ? tr("Hide") : tr("Show"), this, [this, index] {
+    if (index.isValid()) toggle(index);
+  });
+  const auto kind = static_cast<StructureModel::Kind>(row.data(StructureModel::KindRole).toInt());
+  if (kind != StructureModel::Kind::Airways) {
+    menu->addSeparator();
+    const auto add = [&](const QString& text, int steps) {
+      menu->addAction(text, this, [this, index, steps] {
+        if (index.isValid()) makeDenser(index, steps);
+      });
+    };
+    add(tr("Denser"), 1);
+    add(tr("Fainter"), -1);
+    add(tr("As usual"), 0);
+  }
+  menu->popup(event->globalPos());
 }
 
 }  // namespace pneuma

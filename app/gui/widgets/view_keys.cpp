@@ -132,6 +132,10 @@ std::vector<KeyRow> viewKeyRows(MouseProfile mouse) {
                   QObject::tr("Show or hide it"),
                   {keyText(Qt::Key_Space, false)},
                   KeyPlace::Structures});
+  rows.push_back({QObject::tr("In the list of structures"),
+                  QObject::tr("Draw a lobe denser, fainter"),
+                  {keyText(Qt::Key_BracketRight, false), keyText(Qt::Key_BracketLeft, false)},
+                  KeyPlace::Structures});
   const QString mouseInSlices = QObject::tr("Mouse in a slice");
   const MouseHabits& habits = habitsOf(mouse);
   for (const auto& [how, drag] : {std::pair{QObject::tr("Left drag"), habits.left},
