@@ -23,10 +23,7 @@ class HelpFormatter : public CLI::Formatter {
   }
 
   std::string make_option_desc(const CLI::Option* option) const override {
-    std::string text = option->get_description();
-    if (!option->get_default_str().empty()) text += " [" + option->get_default_str() + "]";
-    if (option->get_required()) text += " Required.";
-    return text;
+    return optionText(*option);
   }
 };
 
@@ -79,6 +76,13 @@ std::unique_ptr<DeclaredCommand> declared(const Command& command) {
   result->run = command.declare(parser, result->common);
   addCommon(parser, result->common);
   return result;
+}
+
+std::string optionText(const CLI::Option& option) {
+  std::string text = option.get_description();
+  if (!option.get_default_str().empty()) text += " [" + option.get_default_str() + "]";
+  if (option.get_required()) text += " Required.";
+  return text;
 }
 
 std::string overview() {

@@ -20,6 +20,9 @@ struct DeclaredCommand {
 
 std::unique_ptr<DeclaredCommand> declared(const Command& command);
 
+/// What an option is for, its default, and whether it must be given; for help and manual pages.
+std::string optionText(const CLI::Option& option);
+
 /// What `pneuma help` prints: all commands, one line each.
 std::string overview();
 

@@ -68,13 +68,6 @@ std::string optionHead(const CLI::Option& option) {
   return head + " " + type;
 }
 
-std::string optionText(const CLI::Option& option) {
-  std::string text = option.get_description();
-  if (!option.get_default_str().empty()) text += " [" + option.get_default_str() + "]";
-  if (option.get_required()) text += " Required.";
-  return roff(text);
-}
-
 std::string commandText(const Command& command) {
   const std::unique_ptr<DeclaredCommand> ready = declared(command);
   std::string text = ".SS pneuma " + roff(std::string(command.name)) + "\n" +
@@ -82,7 +75,7 @@ std::string commandText(const Command& command) {
   for (const bool positional : {true, false}) {
     for (const CLI::Option* option : ready->parser.get_options()) {
       if (option->get_positional() != positional) continue;
-      text += ".TP\n" + optionHead(*option) + "\n" + optionText(*option) + "\n";
+      text += ".TP\n" + optionHead(*option) + "\n" + roff(optionText(*option)) + "\n";
     }
   }
   return text;
