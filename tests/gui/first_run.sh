@@ -3,14 +3,7 @@
 # Needs DESKTOP (pneuma-desktop), a display, and a folder OUT for its pictures.
 set -u
 : "${DESKTOP:?}" "${OUT:?}"
-FOLDER=$(mktemp -d)
-export FOLDER
-trap 'rm -rf "$FOLDER"' EXIT
-
-fail() {
-  echo "FAILED: $1"
-  exit 1
-}
+. "$(dirname "$0")/lib.sh"
 
 play() {
   "$DESKTOP" --play "$FOLDER/$1.json" --settings "$FOLDER/settings.ini" --screenshots "$OUT" || fail "$2"

@@ -3,14 +3,8 @@
 # Needs PNEUMA, DESKTOP (pneuma-desktop), CT (a folder of DICOM in thin slices), a display, and a folder OUT.
 set -u
 : "${PNEUMA:?}" "${DESKTOP:?}" "${CT:?}" "${OUT:?}"
-FOLDER=$(mktemp -d)
-export FOLDER CT
-trap 'rm -rf "$FOLDER"' EXIT
-
-fail() {
-  echo "FAILED: $1"
-  exit 1
-}
+. "$(dirname "$0")/lib.sh"
+export CT
 
 "$PNEUMA" lobes "$CT" -o "$FOLDER/lobes" -q || fail "no lobes of the CT"
 "$PNEUMA" export "$FOLDER/lobes/fissures/left-oblique.vtp" -o "$FOLDER/whole.obj" -q || fail "no fissure as OBJ"

@@ -3,14 +3,7 @@
 # Needs PNEUMA, DESKTOP (pneuma-desktop), CT (a folder of DICOM), a display, and a folder OUT for its pictures.
 set -u
 : "${PNEUMA:?}" "${DESKTOP:?}" "${CT:?}" "${OUT:?}"
-FOLDER=$(mktemp -d)
-export FOLDER
-trap 'rm -rf "$FOLDER"' EXIT
-
-fail() {
-  echo "FAILED: $1"
-  exit 1
-}
+. "$(dirname "$0")/lib.sh"
 
 mkdir "$FOLDER/before" "$FOLDER/after" "$FOLDER/others"
 cp -r "$CT" "$FOLDER/before/scan"
