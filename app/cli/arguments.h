@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -30,6 +31,8 @@ struct CommonOptions {
   bool json = false;
   ProgressMode progress = ProgressMode::Auto;
   int threads = 0;
+  double timeoutSeconds = 0.0;
+  std::uint64_t maxMemoryBytes = 0;  ///< 0: no limit
 
   static constexpr auto fields() {
     using O = CommonOptions;
@@ -38,13 +41,15 @@ struct CommonOptions {
               "How to show progress on standard error; auto: a bar on a terminal."},
         Field{"threads", &O::threads, "", Range{0, 4096},
               "Threads to use; 0: all. Results do not depend on it."},
+        Field{"timeout", &O::timeoutSeconds, "s", Range{0.0, 1e7},
+              "Stop with exit code 11 after this long and write nothing; 0: never."},
     };
   }
 
   Existing existing() const { return force ? Existing::Replace : Existing::Refuse; }
 };
 
-/// Adds -q, -v, --progress and -j/--threads, which every command takes.
+/// Adds -q, -v, --progress, -j/--threads, --timeout and --max-memory, which every command takes.
 void addCommon(CLI::App& app, CommonOptions& common);
 
 /// Adds -o/--output and -f/--force.

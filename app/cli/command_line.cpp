@@ -6,6 +6,7 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 
+#include "cli/limits.h"
 #include "cli/terminal_progress.h"
 #include "core/parallel.h"
 
@@ -116,6 +117,8 @@ ExitCode runCommandLine(std::vector<std::string> arguments) {
     return ExitCode::Done;
   }
   const CommonOptions& common = ready->common;
+  limitMemory(common.maxMemoryBytes);
+  limitTime(common.timeoutSeconds);
   const ThreadLimit limit(static_cast<unsigned>(common.threads));
   TerminalProgress terminal(
       common.quiet ? ProgressMode::None : common.progress,

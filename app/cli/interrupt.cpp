@@ -20,6 +20,7 @@ void rememberSignals() {
   sigemptyset(&action.sa_mask);
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
+  sigaction(SIGALRM, &action, nullptr);
   std::signal(SIGXFSZ, SIG_IGN);
 }
 

@@ -2,7 +2,7 @@
 
 namespace pneuma::cli {
 
-/// From now on Ctrl-C and SIGTERM are remembered instead of ending the process, so that a command
+/// From now on Ctrl-C, SIGTERM and an alarm are remembered instead of ending the process, so that a command
 /// can stop between two steps and leave nothing half written; a file size limit is an error of the
 /// write that meets it.
 void rememberSignals();

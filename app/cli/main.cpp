@@ -5,6 +5,7 @@
 
 #include "cli/command_line.h"
 #include "cli/interrupt.h"
+#include "cli/limits.h"
 
 namespace {
 
@@ -41,6 +42,10 @@ int main(int argc, char** argv) {
   try {
     return static_cast<int>(run(argc, argv));
   } catch (const pneuma::Cancelled&) {
+    if (pneuma::cli::timeIsOver()) {
+      complain("the time of --timeout is over; nothing was written");
+      return static_cast<int>(pneuma::ExitCode::TimeOver);
+    }
     complain("stopped on request; nothing was written");
     return SignalBase + pneuma::cli::receivedSignal();
   } catch (const pneuma::Error& error) {

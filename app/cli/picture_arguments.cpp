@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "cli/limits.h"
 #include "core/error.h"
 #include "render/display.h"
 #include "render/picture.h"
@@ -65,6 +66,7 @@ SceneOptions sceneOptions(const PictureArguments& arguments) {
 }
 
 void requireDisplay() {
+  requireMemoryForDrawing();
   const std::string problem = displayProblem();
   if (problem.empty()) return;
   throw NoRendering(

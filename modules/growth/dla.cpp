@@ -162,7 +162,7 @@ class Grower {
     return voxelMm;
   }
 
-  /// @throws InvalidOption saying how much is needed and which voxels would do
+  /// @throws Error (OutOfMemory) saying how much is needed and which voxels would do
   void requireMemory(std::size_t particles) const {
     const double there = ShareOfMemory * static_cast<double>(availableMemoryBytes());
     const double forParticles = BytesPerParticle * static_cast<double>(particles);
@@ -178,20 +178,22 @@ class Grower {
     };
     if (there <= 0.0) return;
     if (forParticles > there) {
-      throw InvalidOption(std::to_string(particles) + " particles need " + gigabytes(forParticles) +
-                          " of memory, and " + gigabytes(there) + " may be used; ask for " +
-                          std::to_string(static_cast<std::size_t>(there / BytesPerParticle)) +
-                          " at most");
+      throw Error(ExitCode::OutOfMemory,
+                  std::to_string(particles) + " particles need " + gigabytes(forParticles) +
+                      " of memory, and " + gigabytes(there) + " may be used; ask for " +
+                      std::to_string(static_cast<std::size_t>(there / BytesPerParticle)) +
+                      " at most");
     }
     if (lattices(voxelMm_) + forParticles <= there) return;
     double fits = voxelMm_;
     while (lattices(fits) + forParticles > there) fits *= 1.05;
     const double bytes = lattices(voxelMm_);
-    throw InvalidOption("voxels of " + textOf(voxelMm_) + " mm need " +
-                        (bytes < 1e300 ? gigabytes(bytes) + " of memory"
-                                       : std::string("more than 4 billion cells a lobe")) +
-                        ", and " + gigabytes(there) + " may be used; a voxel of " +
-                        textOf(std::ceil(fits * 100.0) / 100.0) + " mm would fit");
+    throw Error(ExitCode::OutOfMemory,
+                "voxels of " + textOf(voxelMm_) + " mm need " +
+                    (bytes < 1e300 ? gigabytes(bytes) + " of memory"
+                                   : std::string("more than 4 billion cells a lobe")) +
+                    ", and " + gigabytes(there) + " may be used; a voxel of " +
+                    textOf(std::ceil(fits * 100.0) / 100.0) + " mm would fit");
   }
 
   GrownLobe cluster(std::size_t index, std::size_t count, const Progress& progress) const {
