@@ -10,6 +10,7 @@
 
 #include "core/error.h"
 #include "core/memory.h"
+#include "io/archive_lookup.h"
 #include "io/atomic_file.h"
 #include "io/detail/text_fields.h"
 #include "io/detail/zip_reading.h"
@@ -207,6 +208,25 @@ std::vector<ArchiveMember> readArchive(const fs::path& path, std::uint64_t most,
   }
   progress.report(1.0);
   return members;
+}
+
+std::optional<std::string> readMember(const fs::path& path, const std::string& name,
+                                      std::uint64_t most, const Progress& progress) {
+  const Archive handle = openedArchive(path);
+  std::size_t count = 0;
+  while (archive_entry* entry = nextEntry(path, handle.get())) {
+    progress.throwIfStopped();
+    const std::string is = entryName(entry, ++count);
+    requireHarmlessEntry(path, entry, is);
+    if (is != name || !isFileEntry(entry)) continue;
+    if (const std::uint64_t stated = statedSize(entry); stated > most) {
+      throw InvalidInput("the archive " + quoted(path) + " states " + std::to_string(stated) +
+                         " bytes for " + quotedName(name) + ", and at most " +
+                         std::to_string(most) + " are read");
+    }
+    return contentOf(path, handle.get(), entry, name, progress);
+  }
+  return std::nullopt;
 }
 
 }  // namespace pneuma
