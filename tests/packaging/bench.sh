@@ -14,6 +14,10 @@ fail() {
 
 bench() { FILTER='dla_ball' REPETITIONS=1 MIN_TIME=0.01 "$HERE/../../packaging/bench.sh" "$FOLDER/out" >"$FOLDER/said" 2>&1; }
 
+# README quotes every ratio that is taken, and no other.
+taken=$(awk '/^ratios="/, /"$/' "$HERE/../../packaging/bench.sh" | sed 's/^ratios="//' | cut -d '|' -f 1 | sort)
+quoted=$(sed -n '/^## How fast/,/^## Exit/p' "$HERE/../../README.md" | sed -n 's/^| \(.*\) | .* | [0-9.]* |$/\1/p' | sort)
+[ "$taken" = "$quoted" ] || fail "README quotes other ratios: $(diff <(echo "$taken") <(echo "$quoted"))"
 bench || fail "it ended with $?: $(tail -n 3 "$FOLDER/said")"
 json=$(echo "$FOLDER"/out/history/*.json)
 "$JSON_CHECK" "$SCHEMAS/bench.schema.json" "$json" || fail "the JSON breaks its schema"
