@@ -1,14 +1,15 @@
 #!/usr/bin/env bash
 # The Debian package and the archive hold what they should, and what they hold works where it was unpacked.
 # Needs CPACK, CONFIG (CPackConfig.cmake), JSON_CHECK (json_check), SCHEMAS. Checks by lintian, desktop-file-validate and appstreamcli where they are.
+SCRIPT=$(realpath "$0")
 . "$(dirname "$0")/lib.sh"
 cd "$FOLDER" || exit 1
 pack packages
 deb=$(echo packages/*.deb)
-dpkg-deb -x "$deb" "unpacked here" || fail "the package cannot be unpacked"
+dpkg-deb -x "$deb" "Lungenflügel hier" || fail "the package cannot be unpacked"
 mkdir archive && tar -xzf packages/*.tar.gz -C archive --strip-components 1 || fail "the archive cannot be unpacked"
 
-for root in "unpacked here/usr" archive; do
+for root in "Lungenflügel hier/usr" archive; do
   for file in bin/pneuma bin/pneuma-desktop share/applications/org.pneuma.Pneuma.desktop \
     share/metainfo/org.pneuma.Pneuma.metainfo.xml share/mime/packages/org.pneuma.Pneuma.xml \
     share/thumbnailers/org.pneuma.Pneuma.thumbnailer \
@@ -30,7 +31,7 @@ size=$(stat -c %s "$deb")
 for needed in libvtk9.1 libqt5widgets5 libopencv-core406 libtbb12; do
   dpkg-deb -f "$deb" Depends | grep -q "$needed" || fail "the package does not depend on $needed"
 done
-gzip -dc "unpacked here/usr/share/man/man1/pneuma.1.gz" | grep -q '^.SS pneuma grow' || fail "the manual page does not tell of grow"
+gzip -dc "Lungenflügel hier/usr/share/man/man1/pneuma.1.gz" | grep -q '^.SS pneuma grow' || fail "the manual page does not tell of grow"
 # Every library that a program names is in the bill of materials, and everything that it names stands in it.
 sbom=archive/share/doc/pneuma/sbom.spdx.json
 "$JSON_CHECK" "$SCHEMAS/sbom.schema.json" "$sbom" || fail "the bill of materials breaks its form"
@@ -45,6 +46,13 @@ done
 grep -o '"relatedSpdxElement": "[^"]*"' "$sbom" | cut -d '"' -f 4 | while read -r id; do
   grep -q "\"SPDXID\": \"$id\"" "$sbom" || fail "the bill of materials relates to $id, which is not in it"
 done || exit 1
+# A project is known by its first bytes, whatever it is called.
+if command -v update-mime-database >/dev/null && command -v gio >/dev/null; then
+  cp "$(dirname "$SCRIPT")/../data/project_version_1.pneuma" nameless
+  update-mime-database archive/share/mime >/dev/null 2>&1 || fail "the types of files cannot be taken over"
+  known=$(XDG_DATA_HOME=$PWD/archive/share XDG_DATA_DIRS=/nowhere gio info -a standard::content-type nameless | awk '/content-type:/ { print $2 }')
+  [ "$known" = application/x-pneuma ] || fail "a project is taken for $known"
+fi
 # What starts the program from a desktop.
 for key in 'Exec=pneuma-desktop %F' 'TryExec=pneuma-desktop' 'Icon=org.pneuma.Pneuma' 'Actions=OpenFolder;SampleChest;' \
   'MimeType=application/x-pneuma;.*' 'StartupWMClass=.*' 'Keywords=lung;CT;DICOM;lobe;fissure;airway;bronchi;breathing;.*'; do
