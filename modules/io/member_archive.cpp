@@ -114,6 +114,14 @@ void keepPrevious(const fs::path& path) {
                      "; save under another name");
 }
 
+/// @param packed bytes of the archive
+void requirePossibleSize(const fs::path& path, std::uint64_t packed, std::uint64_t stated,
+                         const std::string& name) {
+  if (stated <= MostDeflated * packed) return;
+  throw InvalidInput("the archive " + quoted(path) + " states " + std::to_string(stated) +
+                     " bytes for " + quotedName(name) + ", which it cannot hold; it is damaged");
+}
+
 /// Refuses what is no archive of ours before a byte is unpacked.
 void requireSound(const fs::path& path, std::uint64_t most, const Progress& progress) {
   const Archive handle = openedArchive(path);
@@ -131,11 +139,7 @@ void requireSound(const fs::path& path, std::uint64_t most, const Progress& prog
                          " twice; it is damaged");
     }
     const std::uint64_t stated = statedSize(entry);
-    if (!error && stated > MostDeflated * packed) {
-      throw InvalidInput("the archive " + quoted(path) + " states " + std::to_string(stated) +
-                         " bytes for " + quotedName(name) +
-                         ", which it cannot hold; it is damaged");
-    }
+    if (!error) requirePossibleSize(path, packed, stated, name);
     total += stated;
     if (total > most || count > MostMembers) {
       throw InvalidInput("the archive " + quoted(path) + " would swell to " +
@@ -213,13 +217,17 @@ std::vector<ArchiveMember> readArchive(const fs::path& path, std::uint64_t most,
 std::optional<std::string> readMember(const fs::path& path, const std::string& name,
                                       std::uint64_t most, const Progress& progress) {
   const Archive handle = openedArchive(path);
+  std::error_code error;
+  const std::uint64_t packed = fs::file_size(path, error);
   std::size_t count = 0;
   while (archive_entry* entry = nextEntry(path, handle.get())) {
     progress.throwIfStopped();
     const std::string is = entryName(entry, ++count);
     requireHarmlessEntry(path, entry, is);
     if (is != name || !isFileEntry(entry)) continue;
-    if (const std::uint64_t stated = statedSize(entry); stated > most) {
+    const std::uint64_t stated = statedSize(entry);
+    if (!error) requirePossibleSize(path, packed, stated, is);
+    if (stated > most) {
       throw InvalidInput("the archive " + quoted(path) + " states " + std::to_string(stated) +
                          " bytes for " + quotedName(name) + ", and at most " +
                          std::to_string(most) + " are read");

@@ -111,6 +111,8 @@ TEST(MemberArchive, GivesOneMemberWithoutTheOthers) {
   EXPECT_EQ(readMember(folder / "case.pneuma", "thumbnail.PNG", 500), std::nullopt);
   EXPECT_THROW(readMember(folder / "case.pneuma", "thumbnail.png", 499), InvalidInput);
   EXPECT_THROW(readMember(folder / "none.pneuma", "thumbnail.png", 500), InputMissing);
+  folder.put("lying.pneuma", testing::lyingZip(1, std::uint64_t{1} << 33));
+  EXPECT_THROW(readMember(folder / "lying.pneuma", "0.dcm", std::uint64_t{1} << 36), InvalidInput);
   // One that is damaged elsewhere still shows itself.
   std::string damaged = readFile(folder / "case.pneuma");
   damaged[10000] ^= 1;
