@@ -68,7 +68,8 @@ function(pneuma_add_headers_alone name)
 endfunction()
 
 # pneuma_add_module(<name> [UNITE] [HEADERS ...] [SOURCES ...] [PUBLIC ...] [PRIVATE ...] [PRECOMPILE ...])
-# A static library pneuma::<name> whose headers are included as "<name>/header.h".
+# A static library pneuma::<name> whose headers are included as "<name>/header.h". It is exported: outside projects
+# have it by find_package(Pneuma), once the component `dev` is installed (cmake/Export.cmake).
 # UNITE: see pneuma_unite.
 # PRECOMPILE: headers of libraries that most of its sources include.
 function(pneuma_add_module name)
@@ -91,6 +92,11 @@ function(pneuma_add_module name)
   target_sources(${target} ${scope} FILE_SET HEADERS BASE_DIRS "${PROJECT_SOURCE_DIR}/modules"
                                                              FILES ${arg_HEADERS})
   target_link_libraries(${target} ${scope} ${arg_PUBLIC})
+  target_compile_features(${target} ${scope} cxx_std_20)
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
+  install(TARGETS ${target} EXPORT PneumaTargets
+          ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT dev
+          FILE_SET HEADERS DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/pneuma" COMPONENT dev)
   list(FILTER arg_PRECOMPILE INCLUDE REGEX "nlohmann")  # the one library that headers show
   # A source that is compiled by itself includes its own header first (clang-format sees to that), which
   # compiles the header alone.

@@ -19,6 +19,8 @@ packages=(
   libcli11-dev nlohmann-json3-dev libhpdf-dev libssl-dev
   # tests and benchmarks
   libgtest-dev libgmock-dev libbenchmark-dev
+  # packages: cpack looks for what programs link
+  dpkg-dev file
   # a display without a screen, OpenGL in software, the font of pictures and window
   xvfb xauth libgl1-mesa-dri libgl1-mesa-dev fonts-inter
 )

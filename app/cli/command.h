@@ -58,6 +58,7 @@ Run declareRun(CLI::App& app, CommonOptions& common);
 Run declareSample(CLI::App& app, CommonOptions& common);
 Run declareSegment(CLI::App& app, CommonOptions& common);
 Run declareStudy(CLI::App& app, CommonOptions& common);
+Run declareThumbnail(CLI::App& app, CommonOptions& common);
 Run declareOutline(CLI::App& app, CommonOptions& common);
 Run declareVersion(CLI::App& app, CommonOptions& common);
 

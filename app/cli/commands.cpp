@@ -7,7 +7,7 @@
 namespace pneuma::cli {
 namespace {
 
-constexpr std::array<Command, 25> Table = {{
+constexpr std::array<Command, 26> Table = {{
     {"run", "From a CT to lungs, lobes and a grown tree, by a recipe.", declareRun},
     {"segment", "Find lungs and central airways in a CT.", declareSegment},
     {"lobes", "Split lungs into lobes along their fissures.", declareLobes},
@@ -32,6 +32,7 @@ constexpr std::array<Command, 25> Table = {{
     {"export", "Convert surfaces and trees between formats, frames and units.", declareExport},
     {"sample", "Write a synthetic chest with known truth.", declareSample},
     {"report", "Put everything known of a case on one page.", declareReport},
+    {"thumbnail", "Take the picture out of a project, for file managers.", declareThumbnail},
     {"reproduce", "Repeat a paper's experiment: published beside measured.", declareReproduce},
     {"doctor", "Check this installation and this machine.", declareDoctor},
     {"completion", "Print a shell's completion script.", declareCompletion},

@@ -1,3 +1,4 @@
+#include <QAction>
 #include <QCommandLineParser>
 #include <QScreen>
 #include <QSettings>
@@ -46,6 +47,8 @@ struct CommandLine {
   QCommandLineOption help{{"h", "help"}, "Show this help."};
   QCommandLineOption version{{"v", "version"}, "Show the version."};
   QCommandLineOption theme{"theme", "dark or light.", "name"};
+  QCommandLineOption sample{"sample", "Open the sample chest."};
+  QCommandLineOption openFolder{"open-folder", "Ask for a folder to open."};
   QCommandLineOption play{"play", "Play a script of steps, then quit.", "script.json"};
   QCommandLineOption record{"record", "Write what is done in the window as a script for --play.",
                             "script.json"};
@@ -60,7 +63,8 @@ struct CommandLine {
     record.setFlags(QCommandLineOption::HiddenFromHelp);
     screenshots.setFlags(QCommandLineOption::HiddenFromHelp);
     settings.setFlags(QCommandLineOption::HiddenFromHelp);
-    parser.addOptions({help, version, theme, play, record, settings, screenshots});
+    parser.addOptions(
+        {help, version, theme, sample, openFolder, play, record, settings, screenshots});
     parser.addPositionalArgument(
         "FILE", "A project, a CT, surfaces, folders and airway trees to open.", "[FILE...]");
   }
@@ -147,6 +151,13 @@ int runWindow(const CommandLine& line) {
   }
   if (settings && lost.empty() && !settings->value(WelcomedKey).toBool()) window.welcome();
   window.open(std::move(files));
+  // What the entry in a desktop's menu offers beside the window itself.
+  for (const auto& [option, action] :
+       {std::pair{&line.sample, "actionSample"}, std::pair{&line.openFolder, "actionOpenFolder"}}) {
+    if (line.parser.isSet(*option)) {
+      QTimer::singleShot(0, window.findChild<QAction*>(QLatin1String(action)), &QAction::trigger);
+    }
+  }
   if (playing) {
     QTimer::singleShot(0, &window, [&] {
       QApplication::exit(

@@ -10,6 +10,7 @@
 
 #include "core/error.h"
 #include "core/memory.h"
+#include "io/archive_lookup.h"
 #include "io/atomic_file.h"
 #include "io/detail/text_fields.h"
 #include "io/detail/zip_reading.h"
@@ -113,6 +114,14 @@ void keepPrevious(const fs::path& path) {
                      "; save under another name");
 }
 
+/// @param packed bytes of the archive
+void requirePossibleSize(const fs::path& path, std::uint64_t packed, std::uint64_t stated,
+                         const std::string& name) {
+  if (stated <= MostDeflated * packed) return;
+  throw InvalidInput("the archive " + quoted(path) + " states " + std::to_string(stated) +
+                     " bytes for " + quotedName(name) + ", which it cannot hold; it is damaged");
+}
+
 /// Refuses what is no archive of ours before a byte is unpacked.
 void requireSound(const fs::path& path, std::uint64_t most, const Progress& progress) {
   const Archive handle = openedArchive(path);
@@ -130,11 +139,7 @@ void requireSound(const fs::path& path, std::uint64_t most, const Progress& prog
                          " twice; it is damaged");
     }
     const std::uint64_t stated = statedSize(entry);
-    if (!error && stated > MostDeflated * packed) {
-      throw InvalidInput("the archive " + quoted(path) + " states " + std::to_string(stated) +
-                         " bytes for " + quotedName(name) +
-                         ", which it cannot hold; it is damaged");
-    }
+    if (!error) requirePossibleSize(path, packed, stated, name);
     total += stated;
     if (total > most || count > MostMembers) {
       throw InvalidInput("the archive " + quoted(path) + " would swell to " +
@@ -207,6 +212,29 @@ std::vector<ArchiveMember> readArchive(const fs::path& path, std::uint64_t most,
   }
   progress.report(1.0);
   return members;
+}
+
+std::optional<std::string> readMember(const fs::path& path, const std::string& name,
+                                      std::uint64_t most, const Progress& progress) {
+  const Archive handle = openedArchive(path);
+  std::error_code error;
+  const std::uint64_t packed = fs::file_size(path, error);
+  std::size_t count = 0;
+  while (archive_entry* entry = nextEntry(path, handle.get())) {
+    progress.throwIfStopped();
+    const std::string is = entryName(entry, ++count);
+    requireHarmlessEntry(path, entry, is);
+    if (is != name || !isFileEntry(entry)) continue;
+    const std::uint64_t stated = statedSize(entry);
+    if (!error) requirePossibleSize(path, packed, stated, is);
+    if (stated > most) {
+      throw InvalidInput("the archive " + quoted(path) + " states " + std::to_string(stated) +
+                         " bytes for " + quotedName(name) + ", and at most " +
+                         std::to_string(most) + " are read");
+    }
+    return contentOf(path, handle.get(), entry, name, progress);
+  }
+  return std::nullopt;
 }
 
 }  // namespace pneuma

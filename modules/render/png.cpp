@@ -13,6 +13,7 @@
 #include "core/error.h"
 #include "render/picture.h"
 #include "render/picture_data.h"
+#include "render/small_picture.h"
 #include "render/vtk_messages.h"
 
 namespace pneuma {
@@ -89,9 +90,12 @@ std::string contentOf(const std::filesystem::path& path) {
 }  // namespace
 
 Picture readPng(const std::filesystem::path& path) {
-  const std::string content = contentOf(path);
+  return pngPicture(contentOf(path), "the picture '" + path.string() + "'");
+}
+
+Picture pngPicture(const std::string& content, const std::string& name) {
   const auto throwDamaged = [&](const std::string& what) {
-    throw InvalidInput("the picture '" + path.string() + "' cannot be used: " + what);
+    throw InvalidInput(name + " cannot be used: " + what);
   };
   if (const std::string what = damage(content); !what.empty()) throwDamaged(what);
   const VtkMessages messages;

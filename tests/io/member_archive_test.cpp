@@ -15,6 +15,7 @@
 
 #include "core/error.h"
 #include "core/progress.h"
+#include "io/archive_lookup.h"
 #include "io/atomic_file.h"
 #include "io/exact_text.h"
 #include "io/lying_zip.h"
@@ -100,6 +101,25 @@ TEST(MemberArchive, ThatCannotBeWrittenLeavesTheOldOne) {
 
   EXPECT_THROW(writeArchive(folder / "other.pneuma", someMembers(), Progress(stop)), Cancelled);
   EXPECT_EQ(folder.fileCount(), 2U);
+}
+
+TEST(MemberArchive, GivesOneMemberWithoutTheOthers) {
+  const testing::TempFolder folder;
+  writeArchive(folder / "case.pneuma", someMembers());
+  EXPECT_EQ(readMember(folder / "case.pneuma", "thumbnail.png", 500), someMembers()[2].content);
+  EXPECT_EQ(readMember(folder / "case.pneuma", "empty", 0), "");
+  EXPECT_EQ(readMember(folder / "case.pneuma", "thumbnail.PNG", 500), std::nullopt);
+  EXPECT_THROW(readMember(folder / "case.pneuma", "thumbnail.png", 499), InvalidInput);
+  EXPECT_THROW(readMember(folder / "none.pneuma", "thumbnail.png", 500), InputMissing);
+  folder.put("lying.pneuma", testing::lyingZip(1, std::uint64_t{1} << 33));
+  EXPECT_THROW(readMember(folder / "lying.pneuma", "0.dcm", std::uint64_t{1} << 36), InvalidInput);
+  // One that is damaged elsewhere still shows itself.
+  std::string damaged = readFile(folder / "case.pneuma");
+  damaged[10000] ^= 1;
+  folder.put("damaged.pneuma", damaged);
+  EXPECT_THROW(readArchive(folder / "damaged.pneuma"), InvalidInput);
+  EXPECT_EQ(readMember(folder / "damaged.pneuma", "thumbnail.png", 500), someMembers()[2].content);
+  EXPECT_THROW(readMember(folder / "damaged.pneuma", "surfaces/RUL.ply", 1 << 20), InvalidInput);
 }
 
 TEST(MemberArchive, CutOffIsRefused) {

@@ -11,6 +11,7 @@
 
 #include "core/error.h"
 #include "render/generated_lungs.h"
+#include "render/small_picture.h"
 
 namespace pneuma {
 namespace {
@@ -87,6 +88,44 @@ TEST(Png, DamagedFilesAreRefused) {
     const TemporaryFile file(content);
     EXPECT_THROW(readPng(file.path()), InvalidInput) << content.size() << " bytes";
   }
+}
+
+TEST(Png, KeepsPixelsAndNoText) {
+  std::string content = pngText(gradient(64, 48));
+  // What other programs leave in a picture, before its first pixels: a title, as PNG has it.
+  const std::string title(
+      "\0\0\0\x0e"
+      "tEXtTitle\0"
+      "DOE_JANE"
+      "\xd1\x2b\x8a\x97",
+      26);
+  content.insert(33, title);
+  const Picture back = pngPicture(content, "the picture");
+  EXPECT_EQ(back.rgb, gradient(64, 48).rgb);
+  EXPECT_EQ(pngText(back).find("DOE"), std::string::npos);
+}
+
+TEST(FittedPicture, IsTheMeanOfWhatEachPixelCovers) {
+  Picture picture{8, 4, std::vector<std::uint8_t>(8 * 4 * 3, 0)};
+  for (int row = 0; row < 4; ++row) {
+    for (int column = 0; column < 8; ++column) {
+      picture.rgb[static_cast<std::size_t>((row * 8 + column) * 3)] =
+          static_cast<std::uint8_t>(column < 4 ? 40 : 200);
+      picture.rgb[static_cast<std::size_t>((row * 8 + column) * 3 + 2)] =
+          static_cast<std::uint8_t>(row % 2 == 0 ? 100 : 200);
+    }
+  }
+  const Picture half = fitted(picture, 4);
+  EXPECT_EQ(half.width, 4);
+  EXPECT_EQ(half.height, 2);
+  EXPECT_EQ(half.rgb,
+            (std::vector<std::uint8_t>{40, 0, 150, 40, 0, 150, 200, 0, 150, 200, 0, 150,
+                                       40, 0, 150, 40, 0, 150, 200, 0, 150, 200, 0, 150}));
+  EXPECT_EQ(fitted(picture, 8).rgb, picture.rgb);
+  EXPECT_EQ(fitted(picture, 100).width, 8);
+  const Picture line = fitted(Picture{1000, 2, std::vector<std::uint8_t>(6000, 7)}, 16);
+  EXPECT_EQ(line.height, 1);
+  EXPECT_EQ(line.rgb, std::vector<std::uint8_t>(48, 7));
 }
 
 TEST(ContactSheet, HoldsThePicturesInRows) {
