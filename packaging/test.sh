@@ -3,7 +3,20 @@
 # those that draw under Xvfb. Closes with ctest's summary; ends with an error if a test failed or
 # none ran. Real data are used where ../shared/data stands beside the project, or where
 # PNEUMA_TEST_DATA points; without them the tests run on generated data.
+#   packaging/test.sh           what CI runs
+#   packaging/test.sh --full    that and the rest, some hours: every damaged file, every fault, three runs of everything
+#                               for each number of threads, commands of the pages as they stand, 1,000 actions by
+#                               chance, and all of it again under sanitizers
 set -euo pipefail
+full=
+case ${1:-} in
+  '') ;;
+  --full) full=1 ;;
+  *)
+    echo "test.sh: there is no option '$1'; usage: packaging/test.sh [--full]" >&2
+    exit 2
+    ;;
+esac
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 step() { printf '\n== %s (at %d s)\n' "$1" "$SECONDS"; }
@@ -12,6 +25,13 @@ step() { printf '\n== %s (at %d s)\n' "$1" "$SECONDS"; }
 style_failed() {
   echo "test.sh: $1" >&2
   [[ -z ${CI:-} ]] || exit 1
+}
+
+# One line for what passed, by the folder of tests/ that it is from.
+summary() {
+  sed -nE 's/^.* Test +#[0-9]+: ([a-z0-9-]+).* Passed .*$/\1/p' "$1" | sort | uniq -c |
+    awk '{ all += $1; text = text (NR > 1 ? ", " : "") $2 " " $1 } END { print "passed: " all " (" text ")" }'
+  echo "test.sh: done after $SECONDS s"
 }
 
 step "Dependencies"
@@ -46,6 +66,7 @@ fi
 how=()
 [[ -f build/release/CMakeCache.txt ]] || how=(-DPNEUMA_UNITY=ON)
 [[ -z ${CI:-} ]] || how+=(-DPNEUMA_BUILD_BENCHMARKS=OFF)
+[[ -z $full ]] || how+=(-DPNEUMA_FULL_TESTS=ON)
 cmake --preset release -DPNEUMA_TEST_DATA="$PNEUMA_TEST_DATA" "${how[@]}"
 
 step "Build"
@@ -55,4 +76,19 @@ step "Every public header compiles alone"
 cmake --build --preset release --target headers_alone
 
 step "Tests"
-ctest --preset release --no-label-summary
+if [[ -z $full ]]; then
+  ctest --preset release --no-label-summary --output-log build/release/tests.log
+  summary build/release/tests.log
+  exit
+fi
+export FULL=1 RUNS=3 KILLS=200 PNEUMA_MONKEY_ACTIONS=1000
+ctest --preset release --no-label-summary --timeout 14400 --output-log build/release/tests.log
+summary build/release/tests.log
+
+step "Address and undefined-behaviour sanitizers"
+export LSAN_OPTIONS=suppressions=$PWD/tests/sanitizers/leaks.supp
+export UBSAN_OPTIONS=halt_on_error=1:print_stacktrace=1
+cmake --workflow --preset asan
+
+step "Thread sanitizer"
+cmake --workflow --preset tsan
