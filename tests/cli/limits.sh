@@ -39,6 +39,7 @@ grow lobes --central chest/central.vtp --method centroid --terminals 20000 -o ou
 segment chest/ct.nii.gz -o out.nii.gz
 import chest/dicom -o out.mha
 repair lobes/rul.stl -o out.stl
+breathe lobes -o out.pvd --frames 2
 COMMANDS
 done
 expect "no limit was ever too small" test "$most" -gt 64

@@ -77,7 +77,8 @@ vtkSmartPointer<vtkPointSet> readAs(const std::string& content, const std::strin
   try {
     reader->Update();
   } catch (const std::bad_alloc&) {
-    throw InvalidInput(name + " does not fit into memory; is it damaged?");
+    // What it states was held against the size of the file before.
+    throw Error(ExitCode::OutOfMemory, name + " does not fit into the memory there is");
   }
   if (!errors.first().empty()) {
     throw InvalidInput(name + " is damaged; VTK says: " + errors.first());
@@ -125,7 +126,7 @@ std::string vtpText(vtkPolyData& data) {
   writer->SetCompressorTypeToNone();
   writer->SetHeaderTypeToUInt64();
   if (writer->Write() == 0 || !errors.first().empty()) {
-    throw OutputFailed("VTK could not write the data as VTP: " + errors.first());
+    throw std::bad_alloc();  // into a string nothing else can fail
   }
   return writer->GetOutputString();
 }
