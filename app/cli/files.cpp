@@ -32,6 +32,11 @@ std::string lowerExtension(const fs::path& path) {
 
 std::vector<fs::path> modelsIn(const fs::path& folder) {
   std::vector<fs::path> inside = filesIn(folder);
+  // A model's name on what is no file, such as a link that leads nowhere: reading it says so.
+  for (const fs::path& path : unreadableIn(folder)) {
+    if (isSurfaceFileName(path)) inside.push_back(path);
+  }
+  std::sort(inside.begin(), inside.end());
   std::erase_if(inside,
                 [](const fs::path& file) { return !isSurfaceFileName(file) && !isTreeFile(file); });
   return inside;

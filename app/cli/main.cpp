@@ -9,10 +9,16 @@
 
 namespace {
 
+constexpr std::size_t LongestMessage = 1500;
 constexpr int SignalBase = 128;  // shells' convention: 128 + number of the signal
 
-/// One line, however the message was made: scripts read standard error line by line.
+/// One line, however the message was made: scripts read standard error line by line. What a file
+/// says of itself, which messages repeat, may have any length.
 void complain(std::string message) {
+  if (message.size() > LongestMessage) {
+    const std::size_t half = LongestMessage / 2;
+    message.replace(half, message.size() - 2 * half, " ... ");
+  }
   while (!message.empty() && message.back() == '\n') message.pop_back();
   std::replace(message.begin(), message.end(), '\n', ' ');
   std::cerr << "pneuma: " << message << std::endl;

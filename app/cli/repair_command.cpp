@@ -6,6 +6,7 @@
 #include "cli/files.h"
 #include "cli/mesh_report.h"
 #include "cli/text.h"
+#include "core/error.h"
 #include "geometry/repair.h"
 #include "io/surface_file.h"
 #include "pipeline/report.h"
@@ -44,12 +45,22 @@ std::string summary(const std::filesystem::path& output, const Repaired& result)
                         fixed(result.after.volumeMl, 1) + " ml"}});
 }
 
+/// @throws InvalidInput naming the file if nothing is left of it
+Repaired repairedFile(const std::filesystem::path& input, const TriangleMesh& mesh,
+                      const Progress& progress) {
+  try {
+    return repaired(mesh, progress);
+  } catch (const InvalidInput& error) {
+    throw InvalidInput("'" + input.string() + "': " + error.what());
+  }
+}
+
 ExitCode runRepair(const std::filesystem::path& input, const CommonOptions& common,
                    const Progress& progress) {
   requireSurfaceOutput(common.output, common.existing());
   requireOtherThanInputs(common.output, {&input, 1});
   const SurfaceFile file = readSurface(input);
-  const Repaired result = repaired(file.mesh, progress.part(0.0, 1.0, "mending"));
+  const Repaired result = repairedFile(input, file.mesh, progress.part(0.0, 1.0, "mending"));
   progress.report(1.0);
   const Json report = repairReport(input, common.output, file, result);
   writeSurface(common.output, result.mesh);

@@ -1,7 +1,9 @@
 #include "breathing/breath_fit.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <span>
 
 #include <Eigen/Core>
@@ -225,7 +227,9 @@ class Checks {
     const auto most = static_cast<std::size_t>(std::ranges::max_element(v) - v.begin());
     const double tidal = v[most] - v[least];
     if (!(tidal >= LeastTidal && tidal <= MostTidal)) {
-      throw InvalidInput("the measured volume moves by " + std::to_string(1000.0 * tidal) +
+      std::array<char, 32> ml{};
+      std::snprintf(ml.data(), ml.size(), "%.6g", 1000.0 * tidal);
+      throw InvalidInput(where(most) + ": the measured volume moves by " + ml.data() +
                          " ml; a breath is 1 to 20,000 ml: is its column's unit right?");
     }
     if (std::abs(v.back() - v.front()) > MostUnclosed * tidal) {

@@ -15,6 +15,7 @@ namespace {
 /// VTK's reader has fixed room for lines and for the corners of a face.
 constexpr std::size_t PlyLineLimit = 4000;
 constexpr std::int64_t CornerLimit = 255;
+constexpr std::size_t LongestName = 40;  // as messages repeat it
 
 enum class Kind { Signed, Unsigned, Real };
 
@@ -71,6 +72,7 @@ class PlyCheck {
       if (element.name == "vertex") points_ = element.count;
       if (element.name == "face") head_.faces = static_cast<std::size_t>(element.count);
     }
+    requireProperties();
     requireMembers("vertex", {"x", "y", "z"}, false);
     requireMembers("face", {"vertex_indices"}, true);
     for (const Element& element : elements_) {
@@ -141,6 +143,16 @@ class PlyCheck {
       throw damaged("its property \"" + property.name + "\" has an unknown type or no element");
     }
     elements_.back().properties.push_back(std::move(property));
+  }
+
+  /// VTK's reader writes past its memory at elements without any.
+  void requireProperties() const {
+    for (const Element& element : elements_) {
+      if (element.properties.empty()) {
+        throw damaged("its element \"" + element.name.substr(0, LongestName) +
+                      "\" has no property");
+      }
+    }
   }
 
   void requireMembers(const std::string& element, std::initializer_list<const char*> members,

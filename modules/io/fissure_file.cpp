@@ -12,6 +12,8 @@ namespace pneuma {
 namespace {
 
 constexpr std::size_t MostBytes = std::size_t{64} << 20;
+/// Scanners are smaller, and so is the world that they measure in.
+constexpr double FarthestMm = 10000.0;
 constexpr std::string_view MarkupsEnding = ".mrk.json";
 
 Json parsed(const std::filesystem::path& path, const std::string& text) {
@@ -42,13 +44,20 @@ void requirePointsOnly(const std::filesystem::path& path, const GivenFissures& f
   }
 }
 
-}  // namespace
-
-Vec3 planeNormal(double tiltRad, double turnRad) {
-  return rotated(rotated(Vec3::UnitZ(), Vec3::UnitX(), tiltRad), Vec3::UnitY(), turnRad);
+/// @throws InvalidInput naming the fissure of a place that is nowhere near a person
+void requireNearPlaces(const std::filesystem::path& path, const GivenFissure& given,
+                       const std::string& fissure) {
+  std::vector<Vec3> places = given.points;
+  if (given.plane) places.push_back(given.plane->point);
+  if (given.equation) places.push_back(given.equation->origin);
+  for (const Vec3& p : places) {
+    if (p.cwiseAbs().maxCoeff() <= FarthestMm) continue;
+    throw InvalidInput(quoted(path) + " sets a point of the " + fissure + " at " + pointText(p) +
+                       ", more than 10 m away; lengths are in mm");
+  }
 }
 
-FissureFile readFissureFile(const std::filesystem::path& path) {
+FissureFile readAnyFormat(const std::filesystem::path& path) {
   const std::string text = readFile(path, MostBytes);
   const std::string extension = lowerCase(path.extension().string());
   if (extension == ".json") {
@@ -61,6 +70,23 @@ FissureFile readFissureFile(const std::filesystem::path& path) {
   throw Unsupported(quoted(path) +
                     " cannot be read as points of fissures; give .json (pneuma/fissures/1), "
                     ".mrk.json or .fcsv (3D Slicer), or .csv (Chest Imaging Platform)");
+}
+
+}  // namespace
+
+Vec3 planeNormal(double tiltRad, double turnRad) {
+  return rotated(rotated(Vec3::UnitZ(), Vec3::UnitX(), tiltRad), Vec3::UnitY(), turnRad);
+}
+
+FissureFile readFissureFile(const std::filesystem::path& path) {
+  FissureFile file = readAnyFormat(path);
+  for (const auto& [fissure, given] : file.fissures) {
+    requireNearPlaces(path, given, std::string(longName(fissure)));
+  }
+  for (const AccessoryFissure& accessory : file.accessory) {
+    requireNearPlaces(path, accessory.fissure, quotedName(accessory.name));
+  }
+  return file;
 }
 
 FissurePatch readFissurePatch(const std::filesystem::path& path) {

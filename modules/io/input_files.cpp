@@ -18,13 +18,14 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t PieceSize = std::size_t{1} << 20;
 
-template <typename Iterator>
-std::vector<fs::path> regularFiles(const fs::path& folder) {
+/// The entries of a kind that `wanted` tells.
+template <typename Iterator, typename Wanted>
+std::vector<fs::path> entries(const fs::path& folder, Wanted wanted) {
   std::error_code error;
   std::vector<fs::path> files;
   for (Iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
     std::error_code ignored;
-    if (entry->is_regular_file(ignored)) files.push_back(entry->path());
+    if (wanted(entry->status(ignored).type())) files.push_back(entry->path());
   }
   if (error) {
     throw InputMissing("the folder " + quoted(folder) + " cannot be read: " + error.message());
@@ -33,14 +34,22 @@ std::vector<fs::path> regularFiles(const fs::path& folder) {
   return files;
 }
 
+bool isFile(fs::file_type type) { return type == fs::file_type::regular; }
+
 }  // namespace
 
 std::vector<fs::path> filesIn(const fs::path& folder) {
-  return regularFiles<fs::directory_iterator>(folder);
+  return entries<fs::directory_iterator>(folder, isFile);
+}
+
+std::vector<fs::path> unreadableIn(const fs::path& folder) {
+  return entries<fs::directory_iterator>(folder, [](fs::file_type type) {
+    return type != fs::file_type::regular && type != fs::file_type::directory;
+  });
 }
 
 std::vector<fs::path> filesBelow(const fs::path& folder) {
-  return regularFiles<fs::recursive_directory_iterator>(folder);
+  return entries<fs::recursive_directory_iterator>(folder, isFile);
 }
 
 std::string sha256OfFile(const fs::path& path, const Progress& progress) {

@@ -13,7 +13,12 @@ namespace pneuma {
 /// @throws InputMissing if the folder cannot be read
 std::vector<std::filesystem::path> filesIn(const std::filesystem::path& folder);
 
-/// The same with those in all folders below it; links to folders are not followed.
+/// What in a folder is neither a file nor a folder: pipes, devices, links that lead nowhere.
+/// Reading one tells what is wrong with it.
+/// @throws InputMissing if the folder cannot be read
+std::vector<std::filesystem::path> unreadableIn(const std::filesystem::path& folder);
+
+/// The same as filesIn() with those in all folders below it; links to folders are not followed.
 std::vector<std::filesystem::path> filesBelow(const std::filesystem::path& folder);
 
 /// SHA-256 of a file of any size in hexadecimal, read piece by piece.

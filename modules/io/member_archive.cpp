@@ -20,10 +20,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t MostMembers = 100000;
+constexpr std::size_t MostMembers = 10000;
 constexpr std::size_t PieceBytes = std::size_t{1} << 20;
 // Deflate makes 1032 of one byte at most.
 constexpr std::uint64_t MostDeflated = 1032;
+// What swells more than that in memory is a bomb; or an image of nothing, which is therefore
+// stored.
+constexpr std::uint64_t MostSwelling = 200;
+constexpr std::uint64_t FreeSwelling = std::uint64_t{256} << 20;
 // The same members give the same bytes: no clock. 1 January 1980 is where those of zip begin.
 constexpr std::time_t MemberTime = 315619200;
 
@@ -31,9 +35,13 @@ struct CloseWriter {
   void operator()(archive* handle) const { archive_write_free(handle); }
 };
 
+/// Bytes that an archive of `packed` bytes may unpack to.
+std::uint64_t mostUnpacked(std::uint64_t packed) { return FreeSwelling + MostSwelling * packed; }
+
 /// Where libarchive's bytes go. Its code is C: what is thrown waits until it has returned.
 struct Sink {
   AtomicFile& file;
+  std::uint64_t bytes = 0;
   std::exception_ptr thrown = nullptr;
 };
 
@@ -41,6 +49,7 @@ la_ssize_t writeTo(archive* /*handle*/, void* data, const void* bytes, std::size
   Sink& sink = *static_cast<Sink*>(data);
   try {
     sink.file.write({static_cast<const char*>(bytes), size});
+    sink.bytes += size;
     return static_cast<la_ssize_t>(size);
   } catch (...) {
     sink.thrown = std::current_exception();
@@ -59,9 +68,10 @@ class ZipWriter {
     require(archive_write_open(handle_.get(), &sink_, nullptr, writeTo, nullptr));
   }
 
-  void add(const ArchiveMember& member, const Progress& progress) {
-    require(member.packed ? archive_write_zip_set_compression_deflate(handle_.get())
-                          : archive_write_zip_set_compression_store(handle_.get()));
+  /// @param pack false: not even if the member shall be packed
+  void add(const ArchiveMember& member, bool pack, const Progress& progress) {
+    require(member.packed && pack ? archive_write_zip_set_compression_deflate(handle_.get())
+                                  : archive_write_zip_set_compression_store(handle_.get()));
     const std::unique_ptr<archive_entry, void (*)(archive_entry*)> entry(archive_entry_new(),
                                                                          archive_entry_free);
     if (!entry) throw std::bad_alloc();
@@ -82,6 +92,8 @@ class ZipWriter {
   }
 
   void close() { require(archive_write_close(handle_.get())); }
+
+  std::uint64_t bytes() const { return sink_.bytes; }
 
  private:
   void require(int result) const {
@@ -141,7 +153,7 @@ void requireSound(const fs::path& path, std::uint64_t most, const Progress& prog
     const std::uint64_t stated = statedSize(entry);
     if (!error) requirePossibleSize(path, packed, stated, name);
     total += stated;
-    if (total > most || count > MostMembers) {
+    if (total > most || count > MostMembers || (!error && total > mostUnpacked(packed))) {
       throw InvalidInput("the archive " + quoted(path) + " would swell to " +
                          std::to_string(total >> 20) + " MB or more in " + std::to_string(count) +
                          " files, which no project does; it was not unpacked");
@@ -185,17 +197,24 @@ bool isProjectFileName(const fs::path& path) {
 
 void writeArchive(const fs::path& path, const std::vector<ArchiveMember>& members,
                   const Progress& progress) {
-  AtomicFile file(path);
-  ZipWriter writer(file);
-  for (std::size_t i = 0; i < members.size(); ++i) {
-    const auto count = static_cast<double>(members.size());
-    writer.add(members[i], progress.part(static_cast<double>(i) / count,
-                                         static_cast<double>(i + 1) / count, "writing"));
+  std::uint64_t total = 0;
+  for (const ArchiveMember& member : members) total += member.content.size();
+  for (const bool pack : {true, false}) {
+    AtomicFile file(path);
+    ZipWriter writer(file);
+    for (std::size_t i = 0; i < members.size(); ++i) {
+      const auto count = static_cast<double>(members.size());
+      const double from = pack ? static_cast<double>(i) / count : 1.0;
+      const double to = pack ? static_cast<double>(i + 1) / count : 1.0;
+      writer.add(members[i], pack, progress.part(from, to, "writing"));
+    }
+    writer.close();
+    progress.throwIfStopped();
+    if (pack && total > mostUnpacked(writer.bytes())) continue;  // readers would take it for a bomb
+    keepPrevious(path);
+    file.commit();
+    break;
   }
-  writer.close();
-  progress.throwIfStopped();
-  keepPrevious(path);
-  file.commit();
   progress.report(1.0);
 }
 

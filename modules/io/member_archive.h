@@ -28,7 +28,8 @@ void writeArchive(const std::filesystem::path& path, const std::vector<ArchiveMe
 
 /// Reads the members of a zip archive, in their order. Their sizes are added up and compared with
 /// the memory that there is before any is read; none may hold more than it states, lead out of the
-/// archive, or be there twice.
+/// archive, or be there twice, and all together may not have 200 times the archive's size and
+/// 256 MB more (writeArchive() does not pack what would).
 /// @param most bytes that the members may have together; more is InvalidInput
 /// @throws InputMissing; InvalidInput (no archive, damaged, cut off, names that lead out, too
 /// large); Unsupported (protected by a password); Error (OutOfMemory); Cancelled

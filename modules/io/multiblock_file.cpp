@@ -107,7 +107,7 @@ void writeFileSeries(const std::filesystem::path& path, const std::vector<TimedF
     if (file.part != part) continue;
     series["files"].push_back({{"name", file.file.generic_string()}, {"time", file.seconds}});
   }
-  writeFile(path, series.dump(2) + "\n");
+  writeFile(path, series.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 }  // namespace pneuma

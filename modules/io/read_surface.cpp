@@ -85,7 +85,8 @@ vtkSmartPointer<vtkPolyData> readPly(const std::string& content, const SurfaceHe
                                      const std::string& name) {
   vtkNew<vtkPLYReader> reader;
   reader->ReadFromInputStringOn();
-  reader->SetInputString(content);
+  // VTK frees memory twice where the last line of a text has no end.
+  reader->SetInputString(content.ends_with('\n') ? content : content + '\n');
   return outputOf(*reader, head, name);
 }
 

@@ -156,7 +156,8 @@ void writeBreath(const fs::path& pvd, const BreathingLungs& lungs, const Json& r
     files.push_back({lungs.drive.period, ChestWallPart, chestWallFile(pvd, 0)});
   }
   writeFile(folder / besides(pvd, ".csv"), csvOf(lungs));
-  writeFile(folder / besides(pvd, ".json"), report.dump(2) + "\n");
+  writeFile(folder / besides(pvd, ".json"),
+            report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
   writeFileSeries(folder / besides(pvd, ".vtp.series"), files, SurfacePart);
   writeTimeCollection(pvd, files);
 }

@@ -173,8 +173,10 @@ std::string originOf(const Json& report) {
   std::string text;
   if (!rows.empty()) text += heading("Made from") + table({"SHA-256", "File"}, rows);
   if (const Json& parameters = report.at("parameters"); !parameters.empty()) {
-    text +=
-        heading("Options") + element("p", element("code", markupEscaped(parameters.dump()))) + "\n";
+    text += heading("Options") +
+            element("p", element("code", markupEscaped(parameters.dump(
+                                             -1, ' ', false, Json::error_handler_t::replace)))) +
+            "\n";
   }
   return text;
 }

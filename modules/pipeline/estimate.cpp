@@ -20,7 +20,8 @@ std::vector<Vec3> displacements(std::span<const LandmarkPair> landmarks, const M
   return all;
 }
 
-/// @throws InvalidOption if too few are held out to tell an error
+/// @throws InvalidOption, or InvalidInput with the usual options, if too few are held out to tell
+/// an error
 LandmarkSplit splitOf(const std::vector<LandmarkPair>& landmarks, const EstimateOptions& options) {
   constexpr std::size_t Fewest = 3;
   const auto count = static_cast<double>(landmarks.size());
@@ -31,10 +32,15 @@ LandmarkSplit splitOf(const std::vector<LandmarkPair>& landmarks, const Estimate
                            static_cast<std::size_t>(std::lround((1.0 - options.holdOut) * count)),
                            options.seed);
   if (!split.heldOut.empty() && split.heldOut.size() < Fewest) {
-    throw InvalidOption("of " + std::to_string(landmarks.size()) + " landmarks " +
-                        std::to_string(split.heldOut.size()) +
-                        " are held out, too few to tell an error; hold out three or more, or none "
-                        "with --hold-out 0");
+    const std::string sentence =
+        "of " + std::to_string(landmarks.size()) + " landmarks " +
+        std::to_string(split.heldOut.size()) +
+        " are held out, too few to tell an error; hold out three or more, or none "
+        "with --hold-out 0";
+    // Who asked for nothing special has too few landmarks.
+    const bool asked = options.every > 0 || options.holdOut != EstimateOptions().holdOut;
+    if (asked) throw InvalidOption(sentence);
+    throw InvalidInput(sentence);
   }
   return split;
 }

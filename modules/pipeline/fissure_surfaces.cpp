@@ -39,6 +39,10 @@ struct FissurePlace {
 };
 
 void requireNear(std::span<const Vec3> points, const FissurePlace& place) {
+  if (points.size() < 3) {
+    throw InvalidInput("the " + place.what + " needs three points at least; there are " +
+                       std::to_string(points.size()));
+  }
   const Box3& box = place.box;
   Box3 wide = box;
   wide.min().array() -= FarMm;

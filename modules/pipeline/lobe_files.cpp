@@ -72,7 +72,8 @@ void writeLobes(const std::filesystem::path& folder, const LobesOfLungs& lobes,
   if (!inputs.given.empty() || !inputs.accessory.empty()) {
     writeFissures(folder / FissurePointsFile, inputs.given, inputs.accessory);
   }
-  writeFile(folder / LobesReportFile, report.dump(2) + "\n");
+  writeFile(folder / LobesReportFile,
+            report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 }  // namespace pneuma

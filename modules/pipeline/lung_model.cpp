@@ -35,6 +35,9 @@ bool isFolder(const fs::path& path) {
 /// The files of a folder that are surfaces of a lobe or a lung by name, sorted.
 std::vector<fs::path> lobeFilesIn(const fs::path& folder) {
   std::vector<fs::path> files = filesIn(folder);
+  // A lobe's name on what is no file, such as a link that leads nowhere: reading it says so.
+  for (fs::path& path : unreadableIn(folder)) files.push_back(std::move(path));
+  std::ranges::sort(files);
   std::erase_if(files, [](const fs::path& file) {
     return !isSurfaceFileName(file) || !lobeOfFileName(file.filename().string()).has_value();
   });

@@ -86,7 +86,7 @@ class RecipeReader {
     try {
       setOption(options, key,
                 value.is_string()    ? value.get<std::string>()
-                : value.is_boolean() ? std::string(value.get<bool>() ? "1" : "0")
+                : value.is_boolean() ? std::string(value.get<bool>() ? "on" : "off")
                                      : value.dump());
     } catch (const InvalidOption& error) {
       throw InvalidOption("'" + path_.string() + "': " + error.what());

@@ -74,10 +74,12 @@ std::string damage(const std::string& file) {
 std::string contentOf(const std::filesystem::path& path) {
   std::error_code error;
   const std::uintmax_t size = std::filesystem::file_size(path, error);
-  std::ifstream stream(path, std::ios::binary);
-  if (error || !stream) {
+  const auto throwMissing = [&path] {
     throw InputMissing("the picture '" + path.string() + "' cannot be read; check its name");
-  }
+  };
+  if (error) throwMissing();  // before it is opened: a pipe would wait for somebody who writes
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream) throwMissing();
   if (size > LargestFile) {
     throw InvalidInput("the picture '" + path.string() + "' is larger than 512 MB");
   }

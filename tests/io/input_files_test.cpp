@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include "core/error.h"
 #include "io/atomic_file.h"
@@ -31,6 +32,19 @@ TEST(InputFiles, AreTheRegularOnesByName) {
               ElementsAre(folder / "a.txt", folder / "b.txt", folder / "sub" / "c.txt"));
   EXPECT_THROW(filesIn(folder / "nowhere"), InputMissing);
   EXPECT_THROW(filesBelow(folder / "a.txt"), InputMissing);
+}
+
+TEST(UnreadableFiles, AreThoseThatAreNoneAndNoFolders) {
+  const TempFolder folder;
+  folder.put("a.txt", "a");
+  std::filesystem::create_directory(folder / "sub");
+  std::filesystem::create_symlink(folder / "loop", folder / "loop");
+  std::filesystem::create_symlink(folder / "nowhere", folder / "broken");
+  std::filesystem::create_symlink(folder / "a.txt", folder / "sound");
+  ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
+  EXPECT_THAT(unreadableIn(folder.path()),
+              ElementsAre(folder / "broken", folder / "loop", folder / "pipe"));
+  EXPECT_THROW(unreadableIn(folder / "nowhere"), InputMissing);
 }
 
 TEST(Sha256OfFile, IsThatOfItsContent) {

@@ -10,6 +10,7 @@
 #include <archive_entry.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -20,6 +21,7 @@
 #include "io/exact_text.h"
 #include "io/lying_zip.h"
 #include "io/temp_folder.h"
+#include "support/progress_recorder.h"
 
 namespace pneuma {
 namespace {
@@ -172,6 +174,41 @@ TEST(MemberArchive, ThatLeadsOutSwellsOrRepeatsIsRefused) {
   EXPECT_THROW(readArchive(folder / "absent.pneuma"), InputMissing);
   EXPECT_THAT(refusal(folder.put("text.pneuma", "no archive"), ExitCode::InputInvalid),
               HasSubstr("damaged"));
+}
+
+TEST(MemberArchive, ThatIsABombIsRefused) {
+  const testing::TempFolder folder;
+  std::vector<ArchiveMember> zeros;
+  for (int i = 0; i < 9; ++i) {
+    zeros.push_back({std::to_string(i), std::string(std::size_t{32} << 20, '\0'), true});
+  }
+  foreignZip(folder / "bomb.pneuma", zeros);
+  EXPECT_THAT(refusal(folder / "bomb.pneuma", ExitCode::InputInvalid),
+              HasSubstr("would swell to 288 MB"));
+  // The same of ours is not packed, so that it can be opened again.
+  double last = 0.0;
+  testing::ProgressRecorder recorder;
+  writeArchive(folder / "images.pneuma", zeros, Progress(recorder));
+  EXPECT_EQ(readArchive(folder / "images.pneuma").size(), zeros.size());
+  for (const double fraction : recorder.fractions()) {
+    EXPECT_GE(fraction, last);
+    last = fraction;
+  }
+}
+
+TEST(MemberArchive, OfTooManyFilesIsRefused) {
+  const testing::TempFolder folder;
+  std::vector<ArchiveMember> many;
+  for (int i = 0; i < 10001; ++i) many.push_back({std::to_string(i), "", true});
+  foreignZip(folder / "many.pneuma", many);
+  EXPECT_THAT(refusal(folder / "many.pneuma", ExitCode::InputInvalid),
+              HasSubstr("in 10001 files"));
+}
+
+TEST(MemberArchive, ThatIsAPipeIsNotWaitedFor) {
+  const testing::TempFolder folder;
+  ASSERT_EQ(::mkfifo((folder / "pipe.pneuma").c_str(), 0600), 0);
+  EXPECT_THAT(refusal(folder / "pipe.pneuma", ExitCode::InputMissing), HasSubstr("a pipe"));
 }
 
 /// Saves over and over until it is killed.

@@ -174,6 +174,12 @@ TEST(ReadPly, TakesAscii) {
   EXPECT_EQ(file.space, "LPS");
 }
 
+TEST(ReadPly, TakesTextWhoseLastLineHasNoEnd) {
+  // VTK frees memory twice at it.
+  const SurfaceFile file = readSurfaceFrom("a.ply", ply("0 0 0\n1 0 0\n0 1 0\n", "3 0 1 2"));
+  EXPECT_EQ(file.mesh.triangles.size(), 1U);
+}
+
 TEST(ReadPly, NamesWhatIsWrong) {
   const std::string points = "0 0 0\n1 0 0\n0 1 0\n";
   expectSurfaceRefused("a.ply", ply(points, "3 0 1 3\n"), "point 3 of 3");
@@ -186,6 +192,10 @@ TEST(ReadPly, NamesWhatIsWrong) {
   expectSurfaceRefused("a.ply", ply(points, std::string(5000, ' ') + "3 0 1 2\n"),
                        "4000 characters");
   expectSurfaceRefused("a.ply", "ply\nformat ascii 1.0\nend_header\n", "no element \"vertex\"");
+  // VTK writes past its memory at some of them.
+  std::string bare = ply(points, "3 0 1 2\n");
+  for (int i = 0; i < 20; ++i) bare.insert(bare.find("element face"), "element bare 0\n");
+  expectSurfaceRefused("a.ply", bare, "element \"bare\" has no property");
 }
 
 TEST(ReadSurface, RefusesWhatIsNoSurface) {

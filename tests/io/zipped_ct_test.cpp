@@ -207,6 +207,19 @@ TEST(BadZip, IsCutShortOrDamaged) {
               HasSubstr("damaged"));
 }
 
+TEST(BadZip, IsAPipeThatNobodyWritesTo) {
+  const TempFolder folder;
+  ASSERT_EQ(::mkfifo((folder / "pipe.zip").c_str(), 0600), 0);
+  EXPECT_FALSE(isZipFile(folder / "pipe.zip"));
+  EXPECT_THROW(readCt(folder / "pipe.zip"), InputMissing);
+}
+
+TEST(BadZip, HoldsTooManyFiles) {
+  const TempFolder folder;
+  folder.put("many.zip", testing::lyingZip(20001, 0));
+  EXPECT_THAT(refusal(folder / "many.zip", ExitCode::InputInvalid), HasSubstr("more than 20000"));
+}
+
 TEST(BadZip, HoldsNoCt) {
   const TempFolder folder;
   { Zip(folder / "text.zip").add("a.txt", "text"); }

@@ -206,12 +206,16 @@ void checkPixels(DicomHeader& header, const Attributes& attributes, vtkDICOMPars
 }  // namespace
 
 bool isDicomFile(const std::filesystem::path& file) {
-  return vtkDICOMUtilities::IsDICOMFile(file.c_str());
+  // Opening a pipe would wait for somebody who writes to it.
+  std::error_code error;
+  return std::filesystem::is_regular_file(file, error) &&
+         vtkDICOMUtilities::IsDICOMFile(file.c_str());
 }
 
 std::optional<DicomHeader> readDicomHeader(const std::filesystem::path& file,
                                            const std::string& name) {
-  if (!std::ifstream(file, std::ios::binary)) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(file, error) || !std::ifstream(file, std::ios::binary)) {
     throw InputMissing(quotedName(name) + " cannot be read; check its permissions");
   }
   if (!isDicomFile(file)) return std::nullopt;

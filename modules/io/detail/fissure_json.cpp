@@ -261,7 +261,7 @@ std::string fissureJsonText(const FissureFile& file, const std::filesystem::path
     entry.update(toJson(accessory.fissure, folder));
     json["accessory"].push_back(std::move(entry));
   }
-  return json.dump(2) + "\n";
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace pneuma

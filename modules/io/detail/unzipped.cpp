@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uint64_t MostFiles = 200000;
+constexpr std::uint64_t MostFiles = 20000;
 // CT slices shrink to a half or a third, empty ones to a hundredth; a bomb to a thousandth.
 constexpr std::uint64_t MostSwelling = 200;
 constexpr std::uint64_t FreeSwelling = std::uint64_t{64} << 20;
@@ -142,6 +142,8 @@ std::uint64_t unpackEntry(const fs::path& path, archive* handle, archive_entry* 
 }  // namespace
 
 bool isZipFile(const fs::path& path) {
+  std::error_code error;
+  if (!fs::is_regular_file(path, error)) return false;  // opening a pipe would wait
   std::ifstream file(path, std::ios::binary);
   std::array<char, 4> start{};
   file.read(start.data(), start.size());

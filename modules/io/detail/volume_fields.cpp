@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <Eigen/LU>
 
@@ -22,7 +21,8 @@ constexpr double LeastSpacing = 0.01 * (1.0 - 1e-6);
 constexpr double MostSpacing = 100.0 * (1.0 + 1e-6);
 
 /// More voxels than any scanner makes, few enough for sums of bytes never to overflow.
-constexpr double MostVoxels = 1e12;
+constexpr std::int64_t MostAlongAxis = 4096;
+constexpr double MostVoxels = 8589934592.0;  // 2^33
 
 std::string timesText(std::span<const std::int64_t> sizes) {
   std::string text;
@@ -84,7 +84,8 @@ std::array<int, 3> checkedSize(std::span<const std::int64_t> sizes, const std::s
     }
     voxels *= static_cast<double>(size);
   }
-  if (voxels > MostVoxels || std::ranges::max(sizes) > std::numeric_limits<int>::max()) {
+  const auto space = sizes.first(std::min<std::size_t>(sizes.size(), 3));
+  if (voxels > MostVoxels || std::ranges::max(space) > MostAlongAxis) {
     throw InvalidInput(name + " says it has " + timesText(sizes) +
                        " voxels, more than any scanner makes; its header is damaged, or it is not "
                        "the right file");

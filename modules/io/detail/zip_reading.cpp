@@ -1,9 +1,9 @@
 #include "io/detail/zip_reading.h"
 
 #include <algorithm>
-#include <fstream>
 
 #include "core/error.h"
+#include "io/detail/input_file.h"
 #include "io/detail/text_fields.h"
 
 namespace pneuma {
@@ -37,9 +37,7 @@ void throwDamagedArchive(const std::filesystem::path& path, archive* handle,
 }
 
 Archive openedArchive(const std::filesystem::path& path) {
-  if (!std::ifstream(path, std::ios::binary)) {
-    throw InputMissing("the archive " + quoted(path) + " cannot be read; check its permissions");
-  }
+  const ReadableFile readable(path);  // or says what is wrong with it; a pipe is not waited for
   Archive handle(archive_read_new());
   if (!handle) throw std::bad_alloc();
   archive_read_support_format_zip_seekable(handle.get());

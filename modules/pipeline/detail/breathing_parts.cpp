@@ -46,6 +46,15 @@ std::array<double, 3> determinantOf(const Eigen::Matrix3d& g) {
   return {trace, minors, g.determinant()};
 }
 
+/// @throws InvalidInput naming the surface if nothing is inside of it
+void requireClosed(const LobeSurface& surface) {
+  const MeshReport& health = surface.health;
+  if (health.closed && health.misorientedEdges == 0 && health.volumeMl > 0.0) return;
+  const std::vector<std::string> wrong = complaints(health);
+  throw InvalidInput("'" + surface.name + "' cannot breathe: " +
+                     (wrong.empty() ? "it encloses no volume" : wrong.front()));
+}
+
 }  // namespace
 
 std::map<Side, TriangleMesh> wallsOf(const LungModel& model, std::vector<std::string>& warnings,
@@ -65,7 +74,9 @@ std::map<Side, TriangleMesh> wallsOf(const LungModel& model, std::vector<std::st
   requireSides(joined);
   std::map<Side, TriangleMesh> walls;
   for (const LobeSurface& surface : *joined.surfaces) {
-    if (isWhole(surface.lobe)) walls.emplace(side(surface.lobe), *surface.mesh);
+    if (!isWhole(surface.lobe)) continue;
+    requireClosed(surface);
+    walls.emplace(side(surface.lobe), *surface.mesh);
   }
   if (walls.empty()) {
     throw InvalidInput(
