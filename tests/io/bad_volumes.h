@@ -269,6 +269,7 @@ inline std::vector<BadFile> badMetaImages() {
       meta({"DimSize = 4 3 1"}, IsUnsupported, "a single slice"),
       meta({"DimSize = 4 3 2.5"}, IsInvalid, "DimSize = \"2.5\""),
       meta({"DimSize = 2147483648 2 2"}, IsInvalid, "more than any scanner makes"),
+      meta({"Offset = 1e30 0 0"}, IsInvalid, "more than 100 m away"),
       meta({"DimSize = 4097 2 2"}, IsInvalid, "more than any scanner makes"),
       meta({"DimSize = 2049 2049 2049"}, IsInvalid, "more than any scanner makes"),
       meta({"ElementSpacing = 1 2 -3"}, IsInvalid, "1, 2 and -3 mm apart"),

@@ -20,6 +20,9 @@ constexpr double LeastSine = 0.01;
 constexpr double LeastSpacing = 0.01 * (1.0 - 1e-6);
 constexpr double MostSpacing = 100.0 * (1.0 + 1e-6);
 
+/// Of the first voxel from the origin: an absurd one leaves no digits for millimetres.
+constexpr double FarthestMm = 1e5;
+
 /// More voxels than any scanner makes, few enough for sums of bytes never to overflow.
 constexpr std::int64_t MostAlongAxis = 4096;
 constexpr double MostVoxels = 8589934592.0;  // 2^33
@@ -115,6 +118,10 @@ ImageGeometry checkedGeometry(const std::array<int, 3>& size, const Mat3& steps,
                               const std::string& name) {
   if (!steps.allFinite() || !origin.allFinite()) {
     throw InvalidInput(name + " has a position or direction that is no number; get it anew");
+  }
+  if (origin.cwiseAbs().maxCoeff() > FarthestMm) {
+    throw InvalidInput(name + " says it begins more than 100 m away from the scanner's middle; " +
+                       "correct the position in its header");
   }
   ImageGeometry geometry;
   geometry.size = size;
