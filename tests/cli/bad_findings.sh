@@ -79,5 +79,5 @@ refuses "an empty tree to export" 4 "empty.swc" export empty.swc -o out.swc
 
 # Places nowhere near a person.
 printf 'Region,Type,X,Y,Z\nRIGHTLUNG,OBLIQUEFISSURE,-70,0,1e300\n' >far.csv
-refuses "a fissure farther than the moon" 4 "far.csv.*more than 10 m away" lobes lungs --fissures far.csv -o nowhere
+refuses "a fissure farther than the moon" 4 "far.csv.*more than 10,000 km away" lobes lungs --fissures far.csv -o nowhere
 finish

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <Eigen/LU>
 
@@ -24,8 +25,7 @@ constexpr double MostSpacing = 100.0 * (1.0 + 1e-6);
 constexpr double FarthestMm = 1e5;
 
 /// More voxels than any scanner makes, few enough for sums of bytes never to overflow.
-constexpr std::int64_t MostAlongAxis = 4096;
-constexpr double MostVoxels = 8589934592.0;  // 2^33
+constexpr double MostVoxels = 1e12;
 
 std::string timesText(std::span<const std::int64_t> sizes) {
   std::string text;
@@ -87,8 +87,7 @@ std::array<int, 3> checkedSize(std::span<const std::int64_t> sizes, const std::s
     }
     voxels *= static_cast<double>(size);
   }
-  const auto space = sizes.first(std::min<std::size_t>(sizes.size(), 3));
-  if (voxels > MostVoxels || std::ranges::max(space) > MostAlongAxis) {
+  if (voxels > MostVoxels || std::ranges::max(sizes) > std::numeric_limits<int>::max()) {
     throw InvalidInput(name + " says it has " + timesText(sizes) +
                        " voxels, more than any scanner makes; its header is damaged, or it is not "
                        "the right file");
