@@ -166,6 +166,9 @@ void requireUsable(const std::vector<Job>& all, const ExportArguments& arguments
                    const CommonOptions& common) {
   std::vector<fs::path> outputs;
   for (const Job& job : all) {
+    // What shall become a tree and does not look like one: its reader says what is wrong with it.
+    const bool wantsTree = isTreeFileName(job.output) && !isSurfaceFileName(job.output);
+    if (wantsTree && !job.isTree && !job.part && isTreeFileName(job.input)) readTree(job.input);
     if (job.isTree && !job.part &&
         (arguments.units != LengthUnit::Mm || arguments.frame != Frame::Lps)) {
       throw InvalidOption(

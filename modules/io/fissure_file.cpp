@@ -12,8 +12,8 @@ namespace pneuma {
 namespace {
 
 constexpr std::size_t MostBytes = std::size_t{64} << 20;
-/// Scanners are smaller, and so is the world that they measure in.
-constexpr double FarthestMm = 10000.0;
+/// Farther than anything on Earth; beyond, sums of squares and sentences are of no use.
+constexpr double FarthestMm = 1e10;
 constexpr std::string_view MarkupsEnding = ".mrk.json";
 
 Json parsed(const std::filesystem::path& path, const std::string& text) {
@@ -53,7 +53,7 @@ void requireNearPlaces(const std::filesystem::path& path, const GivenFissure& gi
   for (const Vec3& p : places) {
     if (p.cwiseAbs().maxCoeff() <= FarthestMm) continue;
     throw InvalidInput(quoted(path) + " sets a point of the " + fissure + " at " + pointText(p) +
-                       ", more than 10 m away; lengths are in mm");
+                       ", more than 10,000 km away; lengths are in mm");
   }
 }
 

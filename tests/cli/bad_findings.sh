@@ -73,7 +73,11 @@ printf 'exp_x,exp_y,exp_z,insp_x,insp_y,insp_z\n' >few.csv
 for i in 1 2 3 4 5 6; do printf -- '-7%d,%d,%d,-7%d,%d,%d\n' "$i" "$i" "$i" "$i" "$i" $((i + 4)); done >>few.csv
 refuses "few landmarks" 4 "of 6 landmarks" estimate --landmarks few.csv -o person.json
 
+# A tree that cannot be read was taken for a surface, and the output was blamed.
+: >empty.swc
+refuses "an empty tree to export" 4 "empty.swc" export empty.swc -o out.swc
+
 # Places nowhere near a person.
 printf 'Region,Type,X,Y,Z\nRIGHTLUNG,OBLIQUEFISSURE,-70,0,1e300\n' >far.csv
-refuses "a fissure farther than the moon" 4 "far.csv.*more than 10 m away" lobes lungs --fissures far.csv -o nowhere
+refuses "a fissure farther than the moon" 4 "far.csv.*more than 10,000 km away" lobes lungs --fissures far.csv -o nowhere
 finish

@@ -39,7 +39,7 @@ void damageZip(Corpus& corpus, const Format& format) {
   };
   named("up", "../../evil");
   named("up-inside", "a/../../../evil");
-  named("from-root", "/tmp/evil");
+  named("from-root", "/etc/evil");
   named("backslashes", "..\\..\\evil");
   named("of-drive", "C:\\evil");
   named("empty", "");

@@ -140,7 +140,7 @@ void damageElements(Corpus& corpus, const Format& format) {
   add("slope-1e300", value(0x00281053, "1e300"));
   add("intercept-word", value(0x00281052, "zero"));
   add("series-other", value(SeriesUid, "1.2.3.4.5"));
-  add("series-no-uid", value(SeriesUid, "../../../../tmp/evil"));
+  add("series-no-uid", value(SeriesUid, "../../../../evil"));
   add("modality-MR", value(0x00080060, "MR"));
   add("position-text-60-kb", value(Position, Bytes(60000, '1')));
   for (const char* syntax :

@@ -117,7 +117,10 @@ std::string faultOf(const Bench& bench, const DamagedFile& file, const Command& 
     return faultOfResult(ending, command, folder);
   }
   if (file.wanted == Wanted::Read) return "refused a sound file";
-  if (!come.empty()) return "it was refused, but left " + come.front();
+  // A run keeps the stages that it has done, whole, to go on from there.
+  const bool keepsStages =
+      command.arguments.find("run ") == 0 && command.outputs == "result/tree.vtp";
+  if (!come.empty() && !keepsStages) return "it was refused, but left " + come.front();
   return faultOfRefusal(ending, names);
 }
 
@@ -131,7 +134,8 @@ Verdict judge(const Bench& bench, const DamagedFile& file, const Command& comman
   file.write(folder / "in" / file.name);
   std::vector<std::string> words = {bench.program};
   std::vector<std::string> names = {file.name, onOneLine(file.name)};
-  if (file.role == "landmarks") names.insert(names.end(), {"landmark ", "landmarks "});
+  if (command.arguments.find("--landmarks") != std::string::npos)
+    names.insert(names.end(), {"landmark ", "landmarks "});
   if (file.format == "nrrd-header" || file.format == "mhd") names.push_back("ct.raw");
   if (file.role == "breath-table") names.push_back("the lung cannot be brought to");
   if (file.role == "fissures" || file.role == "planes") {

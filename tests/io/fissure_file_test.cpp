@@ -310,9 +310,9 @@ TEST_F(FissureFileTest, SaysWhereAFileIsWrong) {
   expect("a.csv", "Region,Type,X,Y,Z\nRIGHTLUNG,OBLIQUEFISSURE,1,2,nan\n", "no number in line 2");
   expect("a.csv", "Region,Type,X,Y,Z\n", "holds no points");
   expect("a.csv", "Region,Type,X,Y,Z\nRIGHTLUNG,OBLIQUEFISSURE,1,2,1e300\n",
-         "right oblique fissure at (1, 2, 1e+300) mm, more than 10 m away");
-  expect("a.json", json(R"({"plane": {"point": [1, -10001, 3], "tilt_deg": 9}})"),
-         "left oblique fissure at (1, -10001, 3) mm, more than 10 m away");
+         "right oblique fissure at (1, 2, 1e+300) mm, more than 10,000 km away");
+  expect("a.json", json(R"({"plane": {"point": [1, -1e18, 3], "tilt_deg": 9}})"),
+         "left oblique fissure at (1, -1e+18, 3) mm, more than 10,000 km away");
   expect("a.txt", "1 2 3", "cannot be read as points");
 }
 

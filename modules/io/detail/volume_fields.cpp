@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <Eigen/LU>
 
@@ -20,9 +21,11 @@ constexpr double LeastSine = 0.01;
 constexpr double LeastSpacing = 0.01 * (1.0 - 1e-6);
 constexpr double MostSpacing = 100.0 * (1.0 + 1e-6);
 
+/// Of the first voxel from the origin: an absurd one leaves no digits for millimetres.
+constexpr double FarthestMm = 1e5;
+
 /// More voxels than any scanner makes, few enough for sums of bytes never to overflow.
-constexpr std::int64_t MostAlongAxis = 4096;
-constexpr double MostVoxels = 8589934592.0;  // 2^33
+constexpr double MostVoxels = 1e12;
 
 std::string timesText(std::span<const std::int64_t> sizes) {
   std::string text;
@@ -84,8 +87,7 @@ std::array<int, 3> checkedSize(std::span<const std::int64_t> sizes, const std::s
     }
     voxels *= static_cast<double>(size);
   }
-  const auto space = sizes.first(std::min<std::size_t>(sizes.size(), 3));
-  if (voxels > MostVoxels || std::ranges::max(space) > MostAlongAxis) {
+  if (voxels > MostVoxels || std::ranges::max(sizes) > std::numeric_limits<int>::max()) {
     throw InvalidInput(name + " says it has " + timesText(sizes) +
                        " voxels, more than any scanner makes; its header is damaged, or it is not "
                        "the right file");
@@ -115,6 +117,10 @@ ImageGeometry checkedGeometry(const std::array<int, 3>& size, const Mat3& steps,
                               const std::string& name) {
   if (!steps.allFinite() || !origin.allFinite()) {
     throw InvalidInput(name + " has a position or direction that is no number; get it anew");
+  }
+  if (origin.cwiseAbs().maxCoeff() > FarthestMm) {
+    throw InvalidInput(name + " says it begins more than 100 m away from the scanner's middle; " +
+                       "correct the position in its header");
   }
   ImageGeometry geometry;
   geometry.size = size;

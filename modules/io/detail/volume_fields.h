@@ -31,7 +31,7 @@ void requirePositive(const Vec3& spacing, const std::string& name);
 
 /// The geometry whose steps from voxel to voxel are the columns of `steps`, LPS, mm.
 /// @throws InvalidInput for anything that is no number, for steps shorter than 0.01 mm or longer
-/// than 100 mm, and for axes that lie in one plane
+/// than 100 mm, for an origin farther than 100 m, and for axes that lie in one plane
 ImageGeometry checkedGeometry(const std::array<int, 3>& size, const Mat3& steps, const Vec3& origin,
                               const std::string& name);
 
