@@ -7,7 +7,7 @@
 namespace pneuma::cli {
 namespace {
 
-constexpr std::array<Command, 25> Table = {{
+constexpr std::array<Command, 26> Table = {{
     {"run", "From a CT to lungs, lobes and a grown tree, by a recipe.", declareRun},
     {"segment", "Find lungs and central airways in a CT.", declareSegment},
     {"lobes", "Split lungs into lobes along their fissures.", declareLobes},
@@ -29,6 +29,8 @@ constexpr std::array<Command, 25> Table = {{
     {"repair", "Mend a surface and list what was changed.", declareRepair},
     {"anonymize", "Take names, dates and private data out of DICOM files.", declareAnonymize},
     {"render", "Make a picture of surfaces and trees.", declareRender},
+    {"regress", "Draw listed pictures again and compare them with their references.",
+     declareRegress},
     {"export", "Convert surfaces and trees between formats, frames and units.", declareExport},
     {"sample", "Write a synthetic chest with known truth.", declareSample},
     {"report", "Put everything known of a case on one page.", declareReport},
