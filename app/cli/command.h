@@ -50,6 +50,7 @@ Run declareInfo(CLI::App& app, CommonOptions& common);
 Run declareLobes(CLI::App& app, CommonOptions& common);
 Run declareCheck(CLI::App& app, CommonOptions& common);
 Run declareMeasure(CLI::App& app, CommonOptions& common);
+Run declareRegress(CLI::App& app, CommonOptions& common);
 Run declareRender(CLI::App& app, CommonOptions& common);
 Run declareRepair(CLI::App& app, CommonOptions& common);
 Run declareReport(CLI::App& app, CommonOptions& common);

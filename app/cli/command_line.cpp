@@ -28,15 +28,15 @@ class HelpFormatter : public CLI::Formatter {
   }
 };
 
-std::string seeHelp(const Command& command) {
-  return "; see 'pneuma help " + std::string(command.name) + "'";
+std::string seeHelp(std::string_view command) {
+  return "; see 'pneuma help " + std::string(command) + "'";
 }
 
-[[noreturn]] void throwUnexpected(const CLI::App& parser, const Command& command,
-                                  const std::string& argument) {
+[[noreturn]] void throwUnexpected(const CLI::App& parser, std::string_view subject,
+                                  std::string_view command, const std::string& argument) {
   if (argument.size() < 2 || argument.front() != '-') {
-    throw InvalidOption("'" + argument + "' is one argument too many for " +
-                        std::string(command.name) + seeHelp(command));
+    throw InvalidOption("'" + argument + "' is one argument too many for " + std::string(subject) +
+                        seeHelp(command));
   }
   const std::string given = argument.substr(0, argument.find('='));
   std::vector<std::string> names;
@@ -45,24 +45,8 @@ std::string seeHelp(const Command& command) {
   }
   const std::string_view nearest = nearestWord(given, {names.begin(), names.end()});
   throw InvalidOption(
-      std::string(command.name) + " has no option '" + given + "'" +
+      std::string(subject) + " has no option '" + given + "'" +
       (nearest.empty() ? seeHelp(command) : "; did you mean '" + std::string(nearest) + "'?"));
-}
-
-/// Fills the options. False if the help page was asked for instead.
-bool parse(CLI::App& parser, const Command& command, std::vector<std::string> arguments) {
-  std::reverse(arguments.begin(), arguments.end());  // as CLI11 wants them
-  try {
-    parser.parse(std::move(arguments));
-  } catch (const CLI::CallForHelp&) {
-    return false;
-  } catch (const CLI::ParseError& error) {
-    if (!parser.remaining().empty()) {
-      throwUnexpected(parser, command, parser.remaining().front());
-    }
-    throw InvalidOption(std::string(command.name) + ": " + error.what() + seeHelp(command));
-  }
-  return true;
 }
 
 }  // namespace
@@ -98,6 +82,22 @@ std::string overview() {
   return text;
 }
 
+bool parseWords(CLI::App& parser, std::string_view subject, std::string_view command,
+                std::vector<std::string> words) {
+  std::reverse(words.begin(), words.end());  // as CLI11 wants them
+  try {
+    parser.parse(std::move(words));
+  } catch (const CLI::CallForHelp&) {
+    return false;
+  } catch (const CLI::ParseError& error) {
+    if (!parser.remaining().empty()) {
+      throwUnexpected(parser, subject, command, parser.remaining().front());
+    }
+    throw InvalidOption(std::string(subject) + ": " + error.what() + seeHelp(command));
+  }
+  return true;
+}
+
 ExitCode runCommandLine(std::vector<std::string> arguments) {
   if (arguments.empty()) {
     std::cerr << overview();
@@ -112,7 +112,7 @@ ExitCode runCommandLine(std::vector<std::string> arguments) {
   const Command& chosen = command(arguments[0]);
   arguments.erase(arguments.begin());
   const std::unique_ptr<DeclaredCommand> ready = declared(chosen);
-  if (!parse(ready->parser, chosen, std::move(arguments))) {
+  if (!parseWords(ready->parser, chosen.name, chosen.name, std::move(arguments))) {
     std::cout << ready->parser.help();
     return ExitCode::Done;
   }

@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <CLI/App.hpp>
@@ -19,6 +20,13 @@ struct DeclaredCommand {
 };
 
 std::unique_ptr<DeclaredCommand> declared(const Command& command);
+
+/// Fills the options that were declared to the parser from words as they are typed.
+/// @param subject whose words they are, for complaints; @param command whose help explains them
+/// @returns false if the help page was asked for instead
+/// @throws InvalidOption for words that cannot be
+bool parseWords(CLI::App& parser, std::string_view subject, std::string_view command,
+                std::vector<std::string> words);
 
 /// What an option is for, its default, and whether it must be given; for help and manual pages.
 std::string optionText(const CLI::Option& option);

@@ -29,6 +29,8 @@ constexpr std::array<Command, 26> Table = {{
     {"repair", "Mend a surface and list what was changed.", declareRepair},
     {"anonymize", "Take names, dates and private data out of DICOM files.", declareAnonymize},
     {"render", "Make a picture of surfaces and trees.", declareRender},
+    {"regress", "Draw listed pictures again and compare them with their references.",
+     declareRegress},
     {"export", "Convert surfaces and trees between formats, frames and units.", declareExport},
     {"sample", "Write a synthetic chest with known truth.", declareSample},
     {"report", "Put everything known of a case on one page.", declareReport},

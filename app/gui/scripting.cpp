@@ -19,6 +19,7 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QMouseEvent>
+#include <QPainter>
 #include <QScreen>
 #include <QTimer>
 #include <QWheelEvent>
@@ -90,6 +91,18 @@ void pointAt(QWidget& target, const QPoint& at) {
   QMouseEvent move(QEvent::MouseMove, at, target.mapToGlobal(at), Qt::NoButton, Qt::NoButton,
                    Qt::NoModifier);
   QApplication::sendEvent(&target, &move);
+}
+
+/// A picture of this size with another in its middle, made smaller if it does not fit.
+QPixmap fitted(const QPixmap& picture, const QSize& size) {
+  const bool fits = picture.width() <= size.width() && picture.height() <= size.height();
+  const QPixmap small =
+      fits ? picture : picture.scaled(size, Qt::KeepAspectRatio, Qt::SmoothTransformation);
+  QPixmap result(size);
+  result.fill(Qt::gray);
+  QPainter(&result).drawPixmap((size.width() - small.width()) / 2,
+                               (size.height() - small.height()) / 2, small);
+  return result;
 }
 
 }  // namespace
@@ -171,7 +184,7 @@ void ScriptPlayer::perform(const QJsonObject& step) {
   } else if (what == QLatin1String("resize")) {
     window_.resize(step[QStringLiteral("width")].toInt(), step[QStringLiteral("height")].toInt());
   } else if (what == QLatin1String("screenshot")) {
-    screenshot(step[QStringLiteral("file")].toString());
+    screenshot(step);
   } else if (what == QLatin1String("save-clipboard")) {
     saveClipboard(step[QStringLiteral("file")].toString());
   } else if (what == QLatin1String("expect")) {
@@ -324,16 +337,26 @@ void ScriptPlayer::turnWheel(const QString& name, int notches) const {
   QApplication::sendEvent(target, &event);
 }
 
-void ScriptPlayer::screenshot(const QString& name) const {
+void ScriptPlayer::screenshot(const QJsonObject& step) const {
   spin(SettleSeconds);
   // Lungs that stand are shown as they are, however slow the machine.
   const bool stands = window_.player().breath() && !window_.player().playing();
   for (int n = 0; stands && !window_.view().detailed() && n < MostSettles; ++n) spin(SettleSeconds);
   QDir().mkpath(outFolder_);
-  const QRect frame = window_.frameGeometry();
-  const QPixmap shot =
+  QRect frame = window_.frameGeometry();
+  if (step.contains(QStringLiteral("name"))) {
+    const QWidget* part = widget(step[QStringLiteral("name")].toString());
+    if (!part->isVisible()) fail(QStringLiteral("it is not to be seen"));
+    frame = QRect(part->mapToGlobal(QPoint(0, 0)), part->size());
+  }
+  QPixmap shot =
       window_.screen()->grabWindow(0, frame.x(), frame.y(), frame.width(), frame.height());
-  const QString path = QDir(outFolder_).filePath(name + QStringLiteral(".png"));
+  if (step.contains(QStringLiteral("width"))) {
+    shot = fitted(shot,
+                  {step[QStringLiteral("width")].toInt(), step[QStringLiteral("height")].toInt()});
+  }
+  const QString path =
+      QDir(outFolder_).filePath(step[QStringLiteral("file")].toString() + QStringLiteral(".png"));
   if (!shot.save(path)) fail(QStringLiteral("the screenshot cannot be written"));
 }
 

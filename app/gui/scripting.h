@@ -24,9 +24,10 @@ class ScriptError : public std::runtime_error {
 ///   {seconds}, pause {seconds}, click-branch {index}, click-point {name, point: [x, y, z]},
 ///   drag-point {name, from, to}, drag-mark {index, by: [right, down]}, wheel {name, notches,
 ///   times}, lap {name} (prints the seconds since the last lap), resize {width, height}, screenshot
-///   {file}, save-clipboard {file}, expect {name, property | state, equals | contains | above |
-///   below}, wait-until {the same, seconds, shared}, scenario {name}: what the steps from here on
-///   show
+///   {file, name, width, height} (of the window, or of one widget in it; scaled down to fit a size
+///   and put in its middle), save-clipboard {file}, expect {name, property | state, equals |
+///   contains | above | below}, wait-until {the same, seconds, shared}, scenario {name}: what the
+///   steps from here on show
 /// A limit in `seconds` that is `shared` is for a quiet machine: it grows where other programs take
 /// the processor away. `name` is a widget's or action's object name. ${NAME} in a text is an
 /// environment variable, ${OUT} the folder of the screenshots.
@@ -53,7 +54,7 @@ class ScriptPlayer {
   void dragMark(const QJsonObject& step) const;
   void turnWheel(const QString& name, int notches) const;
   void clickBranch(int index) const;
-  void screenshot(const QString& name) const;
+  void screenshot(const QJsonObject& step) const;
   void saveClipboard(const QString& name) const;
   void wait(double seconds) const;
   void waitUntil(const QJsonObject& step, double seconds) const;

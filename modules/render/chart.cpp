@@ -147,11 +147,26 @@ void drawCurve(Picture& picture, const ChartCurve& curve, const Axes& axes) {
   drawPart();
 }
 
-/// Names of the curves in the upper right corner, beside the title.
+/// How much room a curve's line or dot takes beside its name.
+double signWidth(const ChartCurve& curve, int font) {
+  return (curve.as != ChartCurve::As::Dots ? 3.0 : 2.3) * font;
+}
+
+double keyWidth(const Chart& chart, int font) {
+  double width = 0.0;
+  for (const ChartCurve& curve : chart.curves) {
+    if (!curve.name.empty()) width += Overlay::textWidth(curve.name, font) + signWidth(curve, font);
+  }
+  return width;
+}
+
+/// Names of the curves in the upper right corner, beside the title, or below one that is too long.
 void drawKey(Picture& picture, const Chart& chart, const Axes& axes) {
   const int font = axes.font();
   double x = axes.right();
-  const double y = (chart.title.empty() ? 1.0 : 1.8) * font;
+  const double title = Overlay::textWidth(chart.title, font * 5 / 4);
+  const bool beside = axes.left() + title + 2.0 * font < axes.right() - keyWidth(chart, font);
+  const double y = (chart.title.empty() ? 1.0 : beside ? 1.8 : 3.8) * font;
   for (auto curve = chart.curves.rbegin(); curve != chart.curves.rend(); ++curve) {
     if (curve->name.empty()) continue;
     drawText(picture, curve->name, {x, y, Align::High, Align::Middle}, font, Ink);
@@ -162,7 +177,7 @@ void drawKey(Picture& picture, const Chart& chart, const Axes& axes) {
     } else {
       drawRing(picture, x - 0.5 * font, y, 0.0, 0.5 * font, curve->colour);
     }
-    x -= (curve->as != ChartCurve::As::Dots ? 2.5 : 1.8) * font;
+    x -= signWidth(*curve, font) - 0.5 * font;
   }
 }
 

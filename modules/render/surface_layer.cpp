@@ -48,6 +48,20 @@ constexpr const char* MovingRimShader = R"(vec3 toEye = normalize(vertexVC.xyz);
                         min(1.0, opacity * mix(0.40, 2.8, rim * rim)));
 )";
 
+/// True of a sheet such as a fissure, which has no inside: its faces, as arrows, do not cancel out.
+bool isSheet(const TriangleMesh& mesh) {
+  constexpr double LeastShare = 0.2;  // a lobe with a hole stays a lobe
+  Vec3 sum = Vec3::Zero();
+  double area = 0.0;
+  for (const auto& triangle : mesh.triangles) {
+    const Vec3& a = mesh.points[triangle[0]];
+    const Vec3 twice = (mesh.points[triangle[1]] - a).cross(mesh.points[triangle[2]] - a);
+    sum += twice;
+    area += twice.norm();
+  }
+  return sum.norm() > LeastShare * area;
+}
+
 /// A veil that moves; with colours of its points in place of one for all.
 vtkSmartPointer<vtkActor> breathingVeil(const TriangleMesh& mesh,
                                         const std::vector<Vec3>& displacement,
@@ -83,9 +97,11 @@ vtkSmartPointer<vtkActor> veilOf(const TriangleMesh& mesh) {
   actor->ForceTranslucentOn();
   vtkProperty* property = actor->GetProperty();
   // The side that faces away is left out; an inside-out surface shows it in place of the other.
+  // A sheet is seen from both sides.
   const bool outwards = signedVolumeMm3(mesh) >= 0.0;
-  property->SetBackfaceCulling(outwards);
-  property->SetFrontfaceCulling(!outwards);
+  const bool sheet = isSheet(mesh);
+  property->SetBackfaceCulling(!sheet && outwards);
+  property->SetFrontfaceCulling(!sheet && !outwards);
   property->SetAmbient(0.12);
   property->SetDiffuse(0.88);
   property->SetSpecular(0.4);

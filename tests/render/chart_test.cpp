@@ -1,5 +1,6 @@
 #include "render/chart.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <gmock/gmock.h>
@@ -49,6 +50,20 @@ TEST(ChartPicture, DrawsACurveFromEndToEnd) {
   EXPECT_NEAR(count(picture, 0, 212, 200), all / 2, all / 10);
   chart.curves[0].as = ChartCurve::As::Dots;
   EXPECT_GT(count(chartPicture(chart, 400, 300), 0, 400, 200), all);
+}
+
+TEST(ChartPicture, KeepsTheNamesOfCurvesOffALongTitle) {
+  const Rgb colour = {200.0 / 255.0, 0.0, 0.0};
+  Chart chart{"A title that takes most of the width of its chart",
+              "x",
+              "y",
+              {{"one curve", {0, 1}, {0, 1}, colour}, {"another curve", {0, 1}, {1, 0}, colour}}};
+  const Picture named = chartPicture(chart, 400, 300);
+  for (ChartCurve& curve : chart.curves) curve.name.clear();
+  const Picture plain = chartPicture(chart, 400, 300);
+  const auto title = named.rgb.begin() + 400 * 3 * 20;  // its line, with what hangs below it
+  EXPECT_TRUE(std::equal(named.rgb.begin(), title, plain.rgb.begin()));
+  EXPECT_NE(named.rgb, plain.rgb) << "the names are gone";
 }
 
 TEST(ChartPicture, OfNothingIsOnlyAxes) {

@@ -342,6 +342,24 @@ TEST_F(SceneInAWindow, FramesThePreviewToo) {
   EXPECT_GT(scene_.renderer()->GetActiveCamera()->GetDistance(), 1.5 * distance);
 }
 
+TEST_F(SceneInAWindow, ShowsASheetFromBothSides) {
+  scene_.setTree(nullptr);
+  scene_.setSurfaces({});
+  SceneOptions options;
+  options.annotations = false;
+  scene_.setOptions(options);
+  const TriangleMesh sheet{{{0, 0, 0}, {100, 0, 0}, {100, 0, 80}, {0, 0, 80}},
+                           {{0, 1, 2}, {0, 2, 3}}};
+  for (const char* view : {"anterior", "posterior"}) {
+    scene_.setSurfaces({});
+    scene_.look(viewDirection(view));
+    const std::vector<unsigned char> empty = everyColour();
+    scene_.setSurfaces({{Lobe::Whole, std::make_shared<const TriangleMesh>(sheet)}});
+    scene_.look(viewDirection(view));
+    EXPECT_NE(everyColour(), empty) << view;
+  }
+}
+
 TEST_F(SceneInAWindow, EmptiesAgain) {
   scene_.setTree(nullptr);
   scene_.setSurfaces({});
