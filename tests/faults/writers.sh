@@ -32,7 +32,7 @@ faults() {
 }
 
 # What is tried without PNEUMA_FAULTS=full: one of each way of writing.
-usual="grow .vtp|study|study|export .ply|export a folder|run into a folder|export --preset share|export --preset paraview|render .png|report .pdf"
+usual="grow .vtp|study|export .ply|export a folder|export --preset share|render .png|report .pdf"
 
 # writer NAME ARGUMENT...: everything that can fail while this command writes into out.
 writer() {
