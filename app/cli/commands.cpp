@@ -7,7 +7,7 @@
 namespace pneuma::cli {
 namespace {
 
-constexpr std::array<Command, 26> Table = {{
+constexpr std::array<Command, 27> Table = {{
     {"run", "From a CT to lungs, lobes and a grown tree, by a recipe.", declareRun},
     {"segment", "Find lungs and central airways in a CT.", declareSegment},
     {"lobes", "Split lungs into lobes along their fissures.", declareLobes},

@@ -4,10 +4,14 @@
 #include <array>
 #include <cctype>
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include "core/error.h"
 #include "io/input_files.h"
 #include "io/surface_file.h"
 #include "io/tree_file.h"
+#include "io/unfinished_files.h"
 #include "io/volume_file.h"
 
 namespace pneuma::cli {
@@ -121,16 +125,52 @@ void requireOtherThanInputs(const fs::path& output, std::span<const fs::path> in
   }
 }
 
+OutputSet::Replaced::Replaced(const fs::path& file)
+    : file_(file),
+      aside_(file.parent_path() / nameAside(PartEnding)),
+      lock_(::open(file.c_str(), O_RDONLY | O_CLOEXEC)) {
+  lockAside(lock_);
+  noteUnfinished(aside_);
+  std::error_code ignored;  // disks without hard links: then it is replaced for good
+  fs::create_hard_link(file_, aside_, ignored);
+}
+
+OutputSet::Replaced::~Replaced() {
+  std::error_code ignored;
+  fs::remove(aside_, ignored);
+  forgetUnfinished(aside_);
+  if (lock_ >= 0) ::close(lock_);
+}
+
+void OutputSet::Replaced::bringBack() {
+  std::error_code ignored;
+  fs::rename(aside_, file_, ignored);
+}
+
 OutputSet::~OutputSet() {
+  for (Replaced& one : replaced_) one.bringBack();
   for (auto path = added_.rbegin(); path != added_.rend(); ++path) {
     std::error_code ignored;  // already an error on its way out, or nothing to remove
     fs::remove(*path, ignored);
+    forgetUnfinished(*path);
   }
 }
 
 void OutputSet::add(const fs::path& path) {
-  std::error_code ignored;
-  if (!fs::exists(path, ignored)) added_.push_back(path);
+  std::error_code error;
+  if (fs::exists(path, error)) {
+    const fs::path file = fs::canonical(path, error);  // where a link leads
+    if (!error && fs::is_regular_file(file, error)) replaced_.emplace_back(file);
+    return;
+  }
+  added_.push_back(path);
+  noteUnfinished(path);
+}
+
+void OutputSet::keep() {
+  for (const fs::path& path : added_) forgetUnfinished(path);
+  added_.clear();
+  replaced_.clear();
 }
 
 void OutputSet::addFolder(const fs::path& path) {
@@ -142,6 +182,7 @@ void OutputSet::addFolder(const fs::path& path) {
                        "; make its parent first or choose another");
   }
   added_.push_back(path);
+  noteUnfinished(path);
 }
 
 }  // namespace pneuma::cli

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <list>
 #include <span>
 #include <string>
 #include <vector>
@@ -38,7 +39,7 @@ void requireOtherThanInputs(const std::filesystem::path& output,
 bool isTreeFileName(const std::filesystem::path& path);
 
 /// The files one command writes: all of them, or none. Whatever was announced with add() is removed
-/// again unless keep() is called.
+/// again unless keep() is called, and what it was to replace is brought back.
 class OutputSet {
  public:
   OutputSet() = default;
@@ -46,17 +47,34 @@ class OutputSet {
   OutputSet(const OutputSet&) = delete;
   OutputSet& operator=(const OutputSet&) = delete;
 
-  /// Call directly before a file is written. One that exists already is being replaced, and is
-  /// left as it is if the writer fails.
+  /// Call directly before a file is written. One that exists already is there all the time, the old
+  /// one or the new one.
   void add(const std::filesystem::path& path);
 
   /// Makes a folder, unless it exists. @throws OutputFailed
   void addFolder(const std::filesystem::path& path);
 
-  void keep() { added_.clear(); }
+  void keep();
 
  private:
+  /// A second name for a file that is going to be replaced, until all others are, too.
+  class Replaced {
+   public:
+    explicit Replaced(const std::filesystem::path& file);
+    ~Replaced();
+    Replaced(const Replaced&) = delete;
+    Replaced& operator=(const Replaced&) = delete;
+
+    void bringBack();
+
+   private:
+    std::filesystem::path file_;
+    std::filesystem::path aside_;
+    int lock_;  ///< or it might be taken for abandoned
+  };
+
   std::vector<std::filesystem::path> added_;
+  std::list<Replaced> replaced_;
 };
 
 }  // namespace pneuma::cli

@@ -2,10 +2,13 @@
 #include <filesystem>
 #include <iostream>
 #include <new>
+#include <system_error>
 
 #include "cli/command_line.h"
 #include "cli/interrupt.h"
+#include "cli/last_resort.h"
 #include "cli/limits.h"
+#include "core/memory_watch.h"
 
 namespace {
 
@@ -34,18 +37,54 @@ pneuma::ExitCode codeOf(const std::filesystem::filesystem_error& error) {
 
 pneuma::ExitCode run(int argc, char** argv) {
   const pneuma::ExitCode code = pneuma::cli::runCommandLine({argv + 1, argv + argc});
+  if (pneuma::memoryRanOut()) throw std::bad_alloc();
   if (!std::cout.flush()) {
     throw pneuma::OutputFailed("standard output cannot be written; is the disk full?");
   }
   return code;
 }
 
+pneuma::ExitCode outOfMemory() {
+  complain("there is not enough memory; use a smaller input or a machine with more");
+  return pneuma::ExitCode::OutOfMemory;
+}
+
+/// Says what was thrown. @returns what to end with
+pneuma::ExitCode told(const std::exception& thrown) {
+  // A library may have made something else of it.
+  if (pneuma::memoryRanOut() || dynamic_cast<const std::bad_alloc*>(&thrown) != nullptr) {
+    return outOfMemory();
+  }
+  if (const auto* error = dynamic_cast<const pneuma::Error*>(&thrown)) {
+    complain(error->what());
+    return error->code();
+  }
+  if (const auto* error = dynamic_cast<const std::filesystem::filesystem_error*>(&thrown)) {
+    const pneuma::ExitCode code = codeOf(*error);
+    complain((code == pneuma::ExitCode::OutputFailed ? "cannot write '" : "cannot read '") +
+             error->path1().string() + "': " + error->code().message() +
+             "; check its name and folder");
+    return code;
+  }
+  const auto* error = dynamic_cast<const std::system_error*>(&thrown);
+  if (error != nullptr && error->code() == std::errc::resource_unavailable_try_again) {
+    complain("the system starts no further thread; end other programs or add --threads 1");
+    return pneuma::ExitCode::OutOfMemory;
+  }
+  complain(std::string("internal error: ") + thrown.what() +
+           "; this is a bug, please report it with the command you used");
+  return pneuma::ExitCode::Internal;
+}
+
 }  // namespace
 
 /// The one place where the command line catches anything.
 int main(int argc, char** argv) {
+  pneuma::cli::openStandardFiles();
+  pneuma::cli::handleLastResort();
   pneuma::cli::rememberSignals();
   try {
+    pneuma::cli::requireStack();
     return static_cast<int>(run(argc, argv));
   } catch (const pneuma::Cancelled&) {
     if (pneuma::cli::timeIsOver()) {
@@ -54,21 +93,7 @@ int main(int argc, char** argv) {
     }
     complain("stopped on request; nothing was written");
     return SignalBase + pneuma::cli::receivedSignal();
-  } catch (const pneuma::Error& error) {
-    complain(error.what());
-    return static_cast<int>(error.code());
-  } catch (const std::filesystem::filesystem_error& error) {
-    const pneuma::ExitCode code = codeOf(error);
-    complain((code == pneuma::ExitCode::OutputFailed ? "cannot write '" : "cannot read '") +
-             error.path1().string() + "': " + error.code().message() +
-             "; check its name and folder");
-    return static_cast<int>(code);
-  } catch (const std::bad_alloc&) {
-    complain("there is not enough memory; use a smaller input or a machine with more");
-    return static_cast<int>(pneuma::ExitCode::OutOfMemory);
-  } catch (const std::exception& error) {
-    complain(std::string("internal error: ") + error.what() +
-             "; this is a bug, please report it with the command you used");
-    return static_cast<int>(pneuma::ExitCode::Internal);
+  } catch (const std::exception& thrown) {
+    return static_cast<int>(told(thrown));
   }
 }

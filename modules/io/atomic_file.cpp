@@ -1,9 +1,7 @@
 #include "io/atomic_file.h"
 
-#include <array>
 #include <cerrno>
-#include <cstdio>
-#include <random>
+#include <new>
 #include <system_error>
 #include <utility>
 
@@ -13,9 +11,11 @@
 #include <unistd.h>
 
 #include "core/error.h"
+#include "core/memory_watch.h"
 #include "io/detail/hex_digits.h"
 #include "io/detail/input_file.h"
 #include "io/detail/text_fields.h"
+#include "io/unfinished_files.h"
 
 namespace pneuma {
 namespace {
@@ -27,10 +27,23 @@ fs::path folderOf(const fs::path& path) {
   return folder.empty() ? fs::path(".") : folder;
 }
 
-[[noreturn]] void throwSystemError(const fs::path& path, int error) {
+/// A path without the folders that files are written aside into.
+fs::path withoutAside(const fs::path& path) {
+  fs::path shown;
+  for (const fs::path& part : path) {
+    if (!isNameAside(part.native())) shown /= part;
+  }
+  return shown;
+}
+
+[[noreturn]] void throwSystemError(const fs::path& where, int error) {
+  const fs::path path = withoutAside(where);
   const std::string folder = quoted(folderOf(path));
   std::string reason;
   switch (error) {
+    case ELOOP:
+      reason = "its links lead in a circle; remove them or choose another name";
+      break;
     case ENOSPC:
     case EDQUOT:
       reason = "the disk of " + folder + " is full; free some space or choose another folder";
@@ -62,10 +75,15 @@ fs::path folderOf(const fs::path& path) {
 
 /// Where the bytes go: the file a symbolic link stands for, so that the link itself survives.
 fs::path targetOf(const fs::path& path) {
+  constexpr int MostLinks = 40;  // as Linux has it
+  fs::path target = path;
   std::error_code error;
-  if (!fs::is_symlink(path, error)) return path;
-  const fs::path target = fs::weakly_canonical(path, error);
-  if (error) throwSystemError(path, error.value());
+  for (int n = 0; fs::is_symlink(target, error); ++n) {
+    if (n == MostLinks) throwSystemError(path, ELOOP);
+    const fs::path next = fs::read_symlink(target, error);
+    if (error) throwSystemError(path, error.value());
+    target = target.parent_path() / next;  // next alone if it is absolute
+  }
   return target;
 }
 
@@ -123,28 +141,34 @@ void takeFreeName(const fs::path& from, const fs::path& target) {
 AtomicFile::AtomicFile(const fs::path& path, Existing existing)
     : target_(targetOf(path)), existing_(existing) {
   requireFreeName(target_, existing);
-  std::random_device random;
+  removeAbandoned(folderOf(target_));
   for (int attempt = 0; attempt < 16; ++attempt) {
-    std::array<char, 40> name{};
-    std::snprintf(name.data(), name.size(), ".pneuma-%08x%08x.part", random(), random());
-    part_ = folderOf(target_) / name.data();
+    part_ = folderOf(target_) / nameAside(PartEnding);
+    noteUnfinished(part_);
     number_ = ::open(part_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
-    if (number_ >= 0) return;
-    if (errno != EEXIST) throwSystemError(target_, errno);
+    if (number_ >= 0) {
+      lockAside(number_);
+      return;
+    }
+    const int error = errno;
+    forgetUnfinished(part_);
+    if (error != EEXIST) throwSystemError(target_, error);
   }
   throwSystemError(target_, EEXIST);
 }
 
 AtomicFile::~AtomicFile() {
   if (number_ >= 0) ::close(number_);
-  if (!part_.empty()) ::unlink(part_.c_str());
+  if (part_.empty()) return;
+  ::unlink(part_.c_str());
+  forgetUnfinished(part_);
 }
 
 void AtomicFile::write(std::string_view content) {
   while (!content.empty()) {
     const ssize_t written = ::write(number_, content.data(), content.size());
     if (written < 0 && errno == EINTR) continue;
-    if (written < 0) throwSystemError(target_, errno);
+    if (written <= 0) throwSystemError(target_, written < 0 ? errno : ENOSPC);
     content.remove_prefix(static_cast<std::size_t>(written));
   }
 }
@@ -159,6 +183,8 @@ void AtomicFile::overwrite(std::uint64_t offset, std::string_view content) {
 }
 
 void AtomicFile::commit() {
+  if (memoryRanOut()) throw std::bad_alloc();  // what was written may be half of it
+
   struct stat old {};
 
   if (::stat(target_.c_str(), &old) == 0) ::fchmod(number_, old.st_mode & 07777);
@@ -170,6 +196,7 @@ void AtomicFile::commit() {
   } else if (::rename(part_.c_str(), target_.c_str()) != 0) {
     throwSystemError(target_, errno);
   }
+  forgetUnfinished(part_);
   part_.clear();
   // Some file systems cannot sync a folder; the file itself is safe by now.
   const Descriptor folder(::open(folderOf(target_).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));

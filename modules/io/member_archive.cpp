@@ -3,17 +3,20 @@
 #include <algorithm>
 #include <array>
 #include <exception>
-#include <random>
 #include <set>
+#include <utility>
 
+#include <fcntl.h>
 #include <unistd.h>
 
 #include "core/error.h"
 #include "core/memory.h"
 #include "io/archive_lookup.h"
 #include "io/atomic_file.h"
+#include "io/detail/input_file.h"
 #include "io/detail/text_fields.h"
 #include "io/detail/zip_reading.h"
+#include "io/unfinished_files.h"
 
 namespace pneuma {
 namespace {
@@ -108,22 +111,39 @@ class ZipWriter {
   std::unique_ptr<archive, CloseWriter> handle_;
 };
 
+/// A name that goes away again, whatever happens.
+struct Aside {
+  explicit Aside(fs::path name) : path(std::move(name)) { noteUnfinished(path); }
+
+  ~Aside() {
+    std::error_code ignored;
+    fs::remove(path, ignored);
+    forgetUnfinished(path);
+  }
+
+  Aside(const Aside&) = delete;
+  Aside& operator=(const Aside&) = delete;
+
+  const fs::path path;
+};
+
 /// The file that is there gets a second name, so that its first one is never without a file.
 void keepPrevious(const fs::path& path) {
   std::error_code error;
   const fs::path file = fs::weakly_canonical(path, error);
   if (error || !fs::is_regular_file(file, error)) return;
   const fs::path kept = file.string() + "~";
-  const fs::path aside = file.string() + "~" + std::to_string(std::random_device()());
-  fs::create_hard_link(file, aside, error);
+  // Has the lock of the file, whatever its name: nobody takes it for abandoned meanwhile.
+  const Descriptor lock(::open(file.c_str(), O_RDONLY | O_CLOEXEC));
+  if (lock.isOpen()) lockAside(lock.number());
+  const Aside aside(file.parent_path() / nameAside(PartEnding));
+  fs::create_hard_link(file, aside.path, error);
   // Disks without hard links (FAT, some network disks).
-  if (error) fs::copy_file(file, aside, error);
-  if (!error) fs::rename(aside, kept, error);
+  if (error) fs::copy_file(file, aside.path, error);
+  if (!error) fs::rename(aside.path, kept, error);
   if (!error) return;
-  const std::string reason = error.message();
-  fs::remove(aside, error);
-  throw OutputFailed("cannot keep what was saved before as " + quoted(kept) + ": " + reason +
-                     "; save under another name");
+  throw OutputFailed("cannot keep what was saved before as " + quoted(kept) + ": " +
+                     error.message() + "; save under another name");
 }
 
 /// @param packed bytes of the archive

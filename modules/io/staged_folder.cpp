@@ -1,14 +1,18 @@
 #include "io/staged_folder.h"
 
 #include <algorithm>
+#include <new>
 #include <string>
 #include <system_error>
 #include <utility>
 #include <vector>
 
+#include <fcntl.h>
 #include <unistd.h>
 
 #include "core/error.h"
+#include "core/memory_watch.h"
+#include "io/unfinished_files.h"
 
 namespace pneuma {
 namespace {
@@ -21,6 +25,10 @@ fs::path withoutSlash(fs::path folder) {
   return folder.has_filename() ? folder : folder.parent_path();
 }
 
+bool isThere(const fs::path& path) {
+  return fs::symlink_status(path).type() != fs::file_type::not_found;
+}
+
 /// A folder of our own beside or in `folder`.
 fs::path newStage(const fs::path& folder) {
   std::error_code error;
@@ -28,11 +36,10 @@ fs::path newStage(const fs::path& folder) {
   if (!there && fs::exists(folder, error)) {
     throw OutputFailed("'" + folder.string() + "' is a file, not a folder; choose another name");
   }
-  const std::string name = there ? std::string(".pneuma") : "." + folder.filename().string();
   const fs::path parent = there ? folder : folder.parent_path();
+  removeAbandoned(parent.empty() ? fs::path(".") : parent);
   for (int n = 0; n < 100; ++n) {
-    const fs::path stage =
-        parent / (name + "-" + std::to_string(::getpid()) + "-" + std::to_string(n));
+    const fs::path stage = parent / nameAside(StageEnding);
     if (fs::create_directory(stage, error)) return stage;
     if (error) break;
   }
@@ -50,72 +57,111 @@ std::vector<fs::path> filesUnder(const fs::path& stage) {
   return files;
 }
 
-/// Moves files one by one, and back again where one cannot be moved.
+/// Moves files one by one, and back again where one cannot be moved. At every moment, there is the
+/// old file or the new one at each place.
 class Moves {
  public:
   Moves(fs::path from, fs::path to) : from_(std::move(from)), to_(std::move(to)) {}
 
   void move(const fs::path& file) {
     const fs::path target = to_ / file;
-    const fs::path old = from_ / OldOnes / file;
-    fs::create_directories(target.parent_path());
-    const bool was = fs::exists(target);
-    if (was) {
-      fs::create_directories(old.parent_path());
-      fs::rename(target, old);
-    }
+    makeFolder(target.parent_path());
+    const bool was = isThere(target);
+    if (was) keepOld(target, from_ / OldOnes / file);
     done_.push_back({file, was});
     fs::rename(from_ / file, target);
+    done_.back().moved = true;
   }
 
   void undo() noexcept {
     std::error_code ignored;
     for (auto move = done_.rbegin(); move != done_.rend(); ++move) {
-      fs::remove(to_ / move->first, ignored);
-      if (move->second) fs::rename(from_ / OldOnes / move->first, to_ / move->first, ignored);
+      if (!move->moved) continue;
+      if (move->was) {
+        fs::rename(from_ / OldOnes / move->file, to_ / move->file, ignored);
+      } else {
+        fs::remove(to_ / move->file, ignored);
+      }
+    }
+    for (auto folder = made_.rbegin(); folder != made_.rend(); ++folder) {
+      fs::remove(*folder, ignored);  // unless there is something in it
     }
   }
 
  private:
+  struct Move {
+    fs::path file;
+    bool was = false;  ///< one was there before
+    bool moved = false;
+  };
+
+  void makeFolder(const fs::path& folder) {
+    if (folder.empty() || fs::is_directory(folder)) return;
+    makeFolder(folder.parent_path());
+    if (fs::create_directory(folder)) made_.push_back(folder);
+  }
+
+  /// A second name for it, and the first one stays.
+  static void keepOld(const fs::path& file, const fs::path& kept) {
+    fs::create_directories(kept.parent_path());
+    std::error_code error;
+    fs::create_hard_link(file, kept, error);
+    if (!error) return;
+    // Disks without hard links (FAT, some network disks), and others' files.
+    fs::copy(file, kept, fs::copy_options::copy_symlinks);
+  }
+
   fs::path from_;
   fs::path to_;
-  std::vector<std::pair<fs::path, bool>> done_;  ///< and whether one was there before
+  std::vector<Move> done_;
+  std::vector<fs::path> made_;
 };
 
 }  // namespace
 
 StagedFolder::StagedFolder(fs::path folder)
-    : folder_(withoutSlash(std::move(folder))), stage_(newStage(folder_)) {}
+    : folder_(withoutSlash(std::move(folder))),
+      stage_(newStage(folder_)),
+      lock_(::open(stage_.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC)) {
+  lockAside(lock_);
+  noteUnfinished(stage_);
+}
 
 StagedFolder::~StagedFolder() {
   std::error_code ignored;  // already an error on its way out, or nothing to remove
   fs::remove_all(stage_, ignored);
+  forgetUnfinished(stage_);
+  if (lock_ >= 0) ::close(lock_);
 }
 
 void StagedFolder::keep(Existing existing) {
-  const std::vector<fs::path> files = filesUnder(stage_);
-  std::error_code error;
-  if (!fs::exists(folder_, error)) {
-    fs::rename(stage_, folder_, error);
-    if (!error) return;
-  }
-  for (const fs::path& file : files) {
-    if (existing == Existing::Refuse && fs::exists(folder_ / file, error)) {
-      throw OutputFailed("'" + (folder_ / file).string() +
-                         "' exists already; add --force to replace it, or choose another folder");
-    }
-    if (fs::is_directory(folder_ / file, error)) {
-      throw OutputFailed("'" + (folder_ / file).string() +
-                         "' is a folder where a file would go; choose another folder");
-    }
-  }
+  if (memoryRanOut()) throw std::bad_alloc();  // what was written may be half of it
   Moves moves(stage_, folder_);
   try {
+    const std::vector<fs::path> files = filesUnder(stage_);
+    std::error_code error;
+    if (!fs::exists(folder_, error)) {
+      fs::rename(stage_, folder_, error);
+      if (!error) return;
+    }
+    for (const fs::path& file : files) {
+      if (existing == Existing::Refuse && isThere(folder_ / file)) {
+        throw OutputFailed("'" + (folder_ / file).string() +
+                           "' exists already; add --force to replace it, or choose another folder");
+      }
+      if (fs::is_directory(folder_ / file, error)) {
+        throw OutputFailed("'" + (folder_ / file).string() +
+                           "' is a folder where a file would go; choose another folder");
+      }
+    }
     for (const fs::path& file : files) moves.move(file);
   } catch (const fs::filesystem_error& problem) {
     moves.undo();
     throw OutputFailed("'" + folder_.string() + "' cannot be written: " + problem.code().message() +
                        "; nothing was changed, choose another folder");
+  } catch (...) {
+    moves.undo();
+    throw;
   }
 }
 

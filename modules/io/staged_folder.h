@@ -20,13 +20,15 @@ class StagedFolder {
   /// Where to write.
   const std::filesystem::path& path() const { return stage_; }
 
-  /// Moves everything to its place; what cannot be moved brings everything back.
+  /// Moves everything to its place; what cannot be moved brings everything back. A file that is
+  /// replaced is there all the time, the old one or the new one.
   /// @throws OutputFailed: nothing was changed
   void keep(Existing existing);
 
  private:
   std::filesystem::path folder_;
   std::filesystem::path stage_;
+  int lock_;  ///< tells others that it is in use
 };
 
 }  // namespace pneuma

@@ -8,6 +8,7 @@
 #include "core/seconds.h"
 #include "io/atomic_file.h"
 #include "io/input_files.h"
+#include "io/staged_folder.h"
 #include "io/surface_file.h"
 #include "io/tree_file.h"
 #include "io/volume_file.h"
@@ -129,25 +130,25 @@ class Runner {
     model_ = withSurfaces(model_, recipe_.surfaces, progress.part(0.8, 0.9, "drawing surfaces"));
     result.warnings.assign(model_.warnings.begin() + static_cast<std::ptrdiff_t>(before),
                            model_.warnings.end());
-    folder_.removeFrom(Stage::Lungs);
-    writeVolume(folder_ / run_files::Labels, *model_.labels);
+    StagedFolder staged(options_.folder);
+    writeVolume(staged.path() / run_files::Labels, *model_.labels);
     result.files.emplace_back(run_files::Labels);
     for (const LobeSurface& surface : *model_.surfaces) {
-      writeSurface(folder_ / surfaceFile(surface.lobe), *surface.mesh);
+      writeSurface(staged.path() / surfaceFile(surface.lobe), *surface.mesh);
       result.files.push_back(surfaceFile(surface.lobe));
       progress.report(0.95);
     }
     if (model_.central) {
-      writeTree(folder_ / run_files::Central, *model_.central,
+      writeTree(staged.path() / run_files::Central, *model_.central,
                 {{"method", "measured in a CT"}, {"version", versionText()}});
       result.files.emplace_back(run_files::Central);
     }
     result.seconds = secondsSince(start);
     const Json report = segmentReport(model_, recipe_.lungs, 0.0, result.seconds);
-    writeFile(folder_ / run_files::Lungs, textOf(report));
+    writeFile(staged.path() / run_files::Lungs, textOf(report));
     result.files.emplace_back(run_files::Lungs);
     result.state = StageState::Done;
-    folder_.remember(result, lungsKey_);
+    folder_.place(staged, result, lungsKey_);
     return result;
   }
 
@@ -169,12 +170,12 @@ class Runner {
                                         progress.part(0.25, 0.4, "reading the CT"), recipe_.series)
                                      .image);
     }
-    folder_.removeFrom(Stage::Lobes);
-    result.files = writeRunLobes(options_.folder, model, recipe_.lobes, lobes_, result.warnings,
+    StagedFolder staged(options_.folder);
+    result.files = writeRunLobes(staged.path(), model, recipe_.lobes, lobes_, result.warnings,
                                  progress.part(0.4, 1.0, "splitting the lungs"));
     result.seconds = secondsSince(start);
     result.state = StageState::Done;
-    folder_.remember(result, lobesKey_);
+    folder_.place(staged, result, lobesKey_);
     return result;
   }
 
@@ -201,18 +202,18 @@ class Runner {
     model = pneuma::grow(model, recipe_.growth, progress.part(0.2, 0.9, "growing"));
     const TreeMeasurement measured = measureTree(*treeOf(model), model, seedOf(recipe_.growth),
                                                  progress.part(0.9, 1.0, "measuring"));
-    folder_.removeFrom(Stage::Airways);
-    writeTree(folder_ / run_files::Tree, model.growth->result.tree, treeMetadata(model));
+    StagedFolder staged(options_.folder);
+    writeTree(staged.path() / run_files::Tree, model.growth->result.tree, treeMetadata(model));
     result.files.emplace_back(run_files::Tree);
     result.seconds = secondsSince(start);
-    writeFile(folder_ / run_files::Growth,
+    writeFile(staged.path() / run_files::Growth,
               textOf(growthReport(model, measured.whole, measured.byLobe, 0.0, 0.0)));
     result.files.emplace_back(run_files::Growth);
     result.warnings = model.warnings;
     const std::vector<std::string>& grown = model.growth->result.warnings;
     result.warnings.insert(result.warnings.end(), grown.begin(), grown.end());
     result.state = StageState::Done;
-    folder_.remember(result, airwaysKey_);
+    folder_.place(staged, result, airwaysKey_);
     return result;
   }
 
@@ -228,15 +229,15 @@ class Runner {
     if (options_.dryRun) return result;
     const auto start = std::chrono::steady_clock::now();
     const TreeFile tree = readTree(folder_ / run_files::Tree);
-    folder_.removeFrom(Stage::Export);
+    StagedFolder staged(options_.folder);
     for (const std::string& format : recipe_.formats) {
-      writeTree(folder_ / ("tree." + format), tree.tree, tree.metadata);
+      writeTree(staged.path() / ("tree." + format), tree.tree, tree.metadata);
       result.files.emplace_back("tree." + format);
       progress.throwIfStopped();
     }
     result.seconds = secondsSince(start);
     result.state = StageState::Done;
-    folder_.remember(result, key);
+    folder_.place(staged, result, key);
     return result;
   }
 

@@ -132,7 +132,8 @@ std::string Movie::finish() {
   for (;;) {
     const ssize_t got =
         ::pread(state.file, part.data(), part.size(), static_cast<off_t>(content.size()));
-    if (got <= 0) break;
+    if (got < 0) throw OutputFailed("the film cannot be made; it cannot be read back");
+    if (got == 0) break;
     content.append(part.data(), static_cast<std::size_t>(got));
   }
   if (content.empty()) throw OutputFailed("the film cannot be made; there is no memory for it");

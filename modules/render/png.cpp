@@ -136,6 +136,9 @@ std::string pngText(const Picture& picture) {
   writer->SetCompressionLevel(picture.width * picture.height <= SmallPicture ? 9 : 6);
   writer->Write();
   vtkUnsignedCharArray* result = writer->GetResult();
+  if (writer->GetErrorCode() != 0 || result == nullptr) {
+    throw OutputFailed("the picture cannot be packed as PNG; is there enough memory?");
+  }
   return {reinterpret_cast<const char*>(result->GetPointer(0)),
           static_cast<std::size_t>(result->GetNumberOfValues())};
 }

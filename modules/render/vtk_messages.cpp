@@ -49,7 +49,14 @@ vtkSmartPointer<vtkOutputWindow>& before() {
   return window;
 }
 
+bool silent = false;
+
 }  // namespace
+
+void silenceVtk() {
+  silent = true;
+  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
+}
 
 VtkMessages::VtkMessages() {
   before() = vtkOutputWindow::GetInstance();
@@ -60,7 +67,7 @@ VtkMessages::VtkMessages() {
 VtkMessages::~VtkMessages() {
   vtkOutputWindow::SetInstance(before());
   before() = nullptr;
-  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_INFO);  // VTK's default
+  if (!silent) vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_INFO);  // VTK's default
 }
 
 std::string VtkMessages::firstError() const {

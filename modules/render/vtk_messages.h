@@ -4,6 +4,10 @@
 
 namespace pneuma {
 
+/// From now on VTK prints nothing of its own, such as what it could not allocate. For a program
+/// whose errors are sentences.
+void silenceVtk();
+
 /// While it lives, VTK prints nothing: errors are kept for whoever asks, warnings are dropped.
 /// One at a time, on the thread that renders.
 class VtkMessages {

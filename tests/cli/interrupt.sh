@@ -9,6 +9,7 @@ stops() {
   caseName="signal $1"
   cases=$((cases + 1))
   : >"$logs/out"
+  : >"$logs/err" # or what the one before said is taken for this one
   "$PNEUMA" grow ball.obj --terminals 1000000 --progress json -o tree.vtp --report r.json 2>"$logs/err" &
   local process=$! waited=0
   until grep -q '"step":"growing' "$logs/err"; do

@@ -70,6 +70,25 @@ class ProjectWriter {
     ProjectWriter& writer_;
   };
 
+  /// While another path is in place. Whatever is thrown, each Enter meets the path that it began
+  /// with.
+  class Elsewhere {
+   public:
+    Elsewhere(std::vector<std::string>& path, const std::string& begin)
+        : path_(path), before_{begin} {
+      path_.swap(before_);
+    }
+
+    ~Elsewhere() { path_.swap(before_); }
+
+    Elsewhere(const Elsewhere&) = delete;
+    Elsewhere& operator=(const Elsewhere&) = delete;
+
+   private:
+    std::vector<std::string>& path_;
+    std::vector<std::string> before_;
+  };
+
   Json& here() { return stack_.back(); }
 
   template <class T>
@@ -79,6 +98,13 @@ class ProjectWriter {
     Json json = std::move(stack_.back());
     stack_.pop_back();
     return json;
+  }
+
+  /// The same, with a path of its own for the names of files.
+  template <class T>
+  Json objectNamed(const std::string& id, const T& value) {
+    const Elsewhere elsewhere(path_, id);
+    return object(value);
   }
 
   template <class T>
@@ -130,11 +156,8 @@ class ProjectWriter {
     if (!isNew) return known->second;
     const std::string id = unusedName(stem(), "");
     known->second = id;
-    std::vector<std::string> path = {id};
-    path_.swap(path);
     const std::size_t files = members_.size();
-    Json json = object(*value);
-    path_.swap(path);
+    Json json = objectNamed(id, *value);
     alive_.push_back(value);
     const auto alike = alike_.try_emplace({typeid(T), withContents(json, files)}, id);
     if (!alike.second) {

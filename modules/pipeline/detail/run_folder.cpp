@@ -1,5 +1,6 @@
 #include "pipeline/detail/run_folder.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "core/error.h"
@@ -95,30 +96,38 @@ StageResult RunFolder::keep(Stage stage) {
   return result;
 }
 
-void RunFolder::removeFrom(Stage stage) {
+std::vector<std::string> RunFolder::takeOutdated(Stage stage,
+                                                 const std::vector<std::string>& anew) {
+  std::vector<std::string> outdated;
   for (std::size_t s = static_cast<std::size_t>(stage); s < choices(Stage{}).size(); ++s) {
     const std::string of = name(static_cast<Stage>(s));
     if (!before_.contains(of)) continue;
     for (const auto& [file, hash] : before_[of]["files"].items()) {
-      std::error_code ignored;
-      if (!isOwn(file)) continue;
-      const std::filesystem::path path = path_ / file;
-      std::filesystem::remove(path, ignored);
-      if (path.has_parent_path() && path.parent_path() != path_) {
-        std::filesystem::remove(path.parent_path(), ignored);  // unless there is something in it
-      }
+      if (std::ranges::find(anew, file) == anew.end() && isOwn(file)) outdated.push_back(file);
     }
     before_.erase(of);
   }
+  return outdated;
 }
 
-void RunFolder::remember(const StageResult& result, const std::string& key) {
+void RunFolder::place(StagedFolder& staged, const StageResult& result, const std::string& key) {
   Json entry = {{"key", key}, {"files", Json::object()}, {"warnings", result.warnings}};
   for (const std::string& file : result.files) {
-    entry["files"][file] = sha256OfFile(path_ / file);
+    entry["files"][file] = sha256OfFile(staged.path() / file);
   }
   now_[name(result.stage)] = std::move(entry);
-  writeFile(path_ / run_files::State, textOf(Json{{"schema", StateSchema}, {"stages", now_}}));
+  writeFile(staged.path() / run_files::State,
+            textOf(Json{{"schema", StateSchema}, {"stages", now_}}));
+  const std::vector<std::string> outdated = takeOutdated(result.stage, result.files);
+  staged.keep(Existing::Replace);
+  for (const std::string& file : outdated) {
+    std::error_code ignored;
+    const std::filesystem::path path = path_ / file;
+    std::filesystem::remove(path, ignored);
+    if (path.has_parent_path() && path.parent_path() != path_) {
+      std::filesystem::remove(path.parent_path(), ignored);  // unless there is something in it
+    }
+  }
 }
 
 bool RunFolder::left(Stage stage, const std::string& file) const {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "io/json.h"
+#include "io/staged_folder.h"
 #include "pipeline/run_recipe.h"
 
 namespace pneuma {
@@ -30,11 +31,10 @@ class RunFolder {
   /// Takes over what the run before says of a stage.
   StageResult keep(Stage stage);
 
-  /// Removes what the run before left of this stage and of those after it.
-  void removeFrom(Stage stage);
-
-  /// Writes down what a stage left.
-  void remember(const StageResult& result, const std::string& key);
+  /// Moves what a stage wrote aside to its place, with a run.json that tells of it, and then
+  /// removes what else the run before left of this stage and of those after it. Until then, all of
+  /// that is there. @throws OutputFailed: nothing was changed
+  void place(StagedFolder& staged, const StageResult& result, const std::string& key);
 
   /// True if a stage, done now or kept, left this file.
   bool left(Stage stage, const std::string& file) const;
@@ -44,6 +44,10 @@ class RunFolder {
 
  private:
   bool isOwn(const std::string& file);
+
+  /// What the run before left of this stage and of those after it, but for files that are made
+  /// anew. From now on that run is not asked for them.
+  std::vector<std::string> takeOutdated(Stage stage, const std::vector<std::string>& anew);
   [[noreturn]] void refuse(const std::string& file, const std::string& why) const;
 
   std::filesystem::path path_;

@@ -1,0 +1,149 @@
+#include "io/unfinished_files.h"
+
+#include <algorithm>
+#include <array>
+#include <climits>
+#include <cstdio>
+#include <cstring>
+#include <ctime>
+#include <memory>
+#include <mutex>
+#include <random>
+#include <set>
+#include <system_error>
+
+#include <dirent.h>
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "io/detail/input_file.h"
+
+namespace pneuma {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t MostNoted = 256;
+constexpr std::string_view Beginning = ".pneuma-";
+constexpr std::size_t Digits = 16;
+constexpr std::time_t AbandonedAfterSeconds = 3600;
+
+/// Paths of fixed length, so that they can be read when memory is out.
+struct Noted {
+  std::mutex mutex;
+  std::array<std::array<char, PATH_MAX>, MostNoted> paths{};
+};
+
+/// Needs neither making nor destroying: a program may end while others still write.
+constinit Noted noted;
+
+/// A folder with nothing in it but files and folders like it.
+void removeEverything(int parent, const char* name) noexcept {
+  if (::unlinkat(parent, name, 0) == 0) return;
+  const int folder = ::openat(parent, name, O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
+  if (folder < 0) return;
+  const std::unique_ptr<DIR, int (*)(DIR*)> entries(::fdopendir(folder), ::closedir);
+  if (!entries) {
+    ::close(folder);
+    return;
+  }
+  while (const dirent* entry = ::readdir(entries.get())) {
+    const std::string_view inside = entry->d_name;
+    if (inside != "." && inside != "..") removeEverything(folder, entry->d_name);
+  }
+  ::unlinkat(parent, name, AT_REMOVEDIR);
+}
+
+bool isOld(const struct stat& status) {
+  return status.st_uid == ::geteuid() &&
+         status.st_mtime + AbandonedAfterSeconds < std::time(nullptr);
+}
+
+void removeIfAbandoned(int folder, const char* name) {
+  struct stat named {};
+
+  if (::fstatat(folder, name, &named, AT_SYMLINK_NOFOLLOW) != 0 || !isOld(named)) return;
+  if (!S_ISREG(named.st_mode) && !S_ISDIR(named.st_mode)) return;
+  const Descriptor file(::openat(folder, name, O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
+
+  struct stat opened {};
+
+  if (!file.isOpen() || ::flock(file.number(), LOCK_EX | LOCK_NB) != 0) return;
+  if (::fstat(file.number(), &opened) != 0 || opened.st_ino != named.st_ino ||
+      opened.st_dev != named.st_dev) {
+    return;
+  }
+  removeEverything(folder, name);
+}
+
+}  // namespace
+
+void removeUnfinished() noexcept {
+  // Whoever holds it may be the thread that has to end.
+  const bool locked = noted.mutex.try_lock();
+  // Twice, for folders that have to be empty first. What is in others than those aside is not ours.
+  for (int pass = 0; pass < 2; ++pass) {
+    for (const auto& path : noted.paths) {
+      if (path[0] == '\0') continue;
+      const std::string_view name(path.data());
+      if (isNameAside(name.substr(name.rfind('/') + 1))) {
+        removeEverything(AT_FDCWD, path.data());
+      } else if (::unlink(path.data()) != 0) {
+        ::rmdir(path.data());
+      }
+    }
+  }
+  for (auto& path : noted.paths) path[0] = '\0';
+  if (locked) noted.mutex.unlock();
+}
+
+void noteUnfinished(const fs::path& path) noexcept {
+  const std::string& text = path.native();
+  if (text.empty() || text.size() >= PATH_MAX) return;
+  const std::lock_guard lock(noted.mutex);
+  const auto free = std::find_if(noted.paths.begin(), noted.paths.end(),
+                                 [](const auto& p) { return p[0] == '\0'; });
+  if (free != noted.paths.end()) std::memcpy(free->data(), text.c_str(), text.size() + 1);
+}
+
+void forgetUnfinished(const fs::path& path) noexcept {
+  const std::lock_guard lock(noted.mutex);
+  const auto same = std::find_if(noted.paths.begin(), noted.paths.end(),
+                                 [&](const auto& p) { return path.native() == p.data(); });
+  if (same != noted.paths.end() && !path.empty()) same->front() = '\0';
+}
+
+std::string nameAside(std::string_view ending) {
+  std::random_device random;
+  std::array<char, Digits + 1> digits{};
+  std::snprintf(digits.data(), digits.size(), "%08x%08x", random(), random());
+  return std::string(Beginning).append(digits.data()).append(ending);
+}
+
+bool isNameAside(std::string_view name) {
+  if (!name.starts_with(Beginning)) return false;
+  name.remove_prefix(Beginning.size());
+  const std::string_view ending = name.substr(std::min(Digits, name.size()));
+  if (ending != PartEnding && ending != StageEnding) return false;
+  return name.substr(0, Digits).find_first_not_of("0123456789abcdef") == std::string_view::npos;
+}
+
+void removeAbandoned(const fs::path& folder) {
+  static std::mutex mutex;
+  static std::set<fs::path> seen;
+  {
+    const std::lock_guard lock(mutex);
+    if (!seen.insert(folder).second) return;
+  }
+  const std::unique_ptr<DIR, int (*)(DIR*)> entries(::opendir(folder.c_str()), ::closedir);
+  if (!entries) return;
+  while (const dirent* entry = ::readdir(entries.get())) {
+    if (isNameAside(entry->d_name)) removeIfAbandoned(::dirfd(entries.get()), entry->d_name);
+  }
+}
+
+void lockAside(int number) noexcept { ::flock(number, LOCK_EX | LOCK_NB); }
+
+}  // namespace pneuma

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace pneuma {
+
+/// Removes what this process has written aside and not yet put into place. For a program that has
+/// to end where no destructor is reached. Allocates nothing.
+void removeUnfinished() noexcept;
+
+/// What removeUnfinished() removes. Beyond some hundred at a time they are not noted.
+void noteUnfinished(const std::filesystem::path& path) noexcept;
+void forgetUnfinished(const std::filesystem::path& path) noexcept;
+
+/// A new name by chance for what is written aside: .pneuma-0123456789abcdef and `ending`.
+std::string nameAside(std::string_view ending);
+
+constexpr std::string_view PartEnding = ".part";    ///< of a file that is written aside
+constexpr std::string_view StageEnding = ".parts";  ///< of a folder of them
+
+/// Whether a name is one of nameAside(), with either ending.
+bool isNameAside(std::string_view name);
+
+/// Removes what killed processes of this user left written aside in a folder: it has such a name,
+/// nobody holds its lock, and it is an hour old. Looks once at a folder; never throws for what it
+/// finds. A file system that knows no locks keeps them.
+void removeAbandoned(const std::filesystem::path& folder);
+
+/// Others' removeAbandoned() leaves what this open file or folder is, until it is closed.
+void lockAside(int number) noexcept;
+
+}  // namespace pneuma
