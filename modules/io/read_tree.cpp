@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <optional>
 
@@ -81,6 +82,18 @@ bool vtkHoldsLines(std::string_view content) {
          numberIn(tag, "NumberOfStrips") == 0;
 }
 
+/// @throws InvalidInput for a branch that ends nowhere near a person
+void requireNearby(const AirwayTree& tree, const std::string& name) {
+  constexpr double FarthestOfTreeMm = 1e10;
+  for (const Branch& branch : tree) {
+    const double far =
+        std::max(branch.proximal.cwiseAbs().maxCoeff(), branch.distal.cwiseAbs().maxCoeff());
+    if (far <= FarthestOfTreeMm) continue;
+    throw InvalidInput(name +
+                       " has an airway that ends more than 10,000 km away; lengths are in mm");
+  }
+}
+
 }  // namespace
 
 TreeFile readTree(const std::filesystem::path& path) {
@@ -105,6 +118,7 @@ TreeFile readTree(const std::filesystem::path& path) {
                        "\" says; give an airway tree as " + std::string(TreeFormats));
   }
   TreeFile file = (ofContent != nullptr ? ofContent : ofExtension)(content, name);
+  requireNearby(file.tree, name);
   if (ofContent != nullptr && ofContent != ofExtension) {
     file.notes.push_back(name + " was read as " + file.format +
                          ", which it holds whatever its name.");
