@@ -162,7 +162,8 @@ class Grower {
     return voxelMm;
   }
 
-  /// @throws Error (OutOfMemory) saying how much is needed and which voxels would do
+  /// @throws Error (OutOfMemory) saying how many particles fit, InvalidOption saying which voxels
+  /// do
   void requireMemory(std::size_t particles) const {
     const double there = ShareOfMemory * static_cast<double>(availableMemoryBytes());
     const double forParticles = BytesPerParticle * static_cast<double>(particles);
@@ -188,12 +189,11 @@ class Grower {
     double fits = voxelMm_;
     while (lattices(fits) + forParticles > there) fits *= 1.05;
     const double bytes = lattices(voxelMm_);
-    throw Error(ExitCode::OutOfMemory,
-                "voxels of " + textOf(voxelMm_) + " mm need " +
-                    (bytes < 1e300 ? gigabytes(bytes) + " of memory"
-                                   : std::string("more than 4 billion cells a lobe")) +
-                    ", and " + gigabytes(there) + " may be used; a voxel of " +
-                    textOf(std::ceil(fits * 100.0) / 100.0) + " mm would fit");
+    throw InvalidOption("voxels of " + textOf(voxelMm_) + " mm need " +
+                        (bytes < 1e300 ? gigabytes(bytes) + " of memory"
+                                       : std::string("more than 4 billion cells a lobe")) +
+                        ", and " + gigabytes(there) + " may be used; a voxel of " +
+                        textOf(std::ceil(fits * 100.0) / 100.0) + " mm would fit");
   }
 
   GrownLobe cluster(std::size_t index, std::size_t count, const Progress& progress) const {

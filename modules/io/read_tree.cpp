@@ -84,13 +84,12 @@ bool vtkHoldsLines(std::string_view content) {
 
 /// @throws InvalidInput for a branch that ends nowhere near a person
 void requireNearby(const AirwayTree& tree, const std::string& name) {
-  constexpr double FarthestOfTreeMm = 1e10;
+  constexpr double FarthestOfTreeMm = 1e6;
   for (const Branch& branch : tree) {
     const double far =
         std::max(branch.proximal.cwiseAbs().maxCoeff(), branch.distal.cwiseAbs().maxCoeff());
     if (far <= FarthestOfTreeMm) continue;
-    throw InvalidInput(name +
-                       " has an airway that ends more than 10,000 km away; lengths are in mm");
+    throw InvalidInput(name + " has an airway that ends more than 1 km away; lengths are in mm");
   }
 }
 

@@ -78,7 +78,12 @@ class RecipeReader {
   template <HasFields Options>
   bool set(Options& options, const std::string& key, const Json& value) const {
     bool known = false;
-    forEachField<Options>([&](const auto& field) { known |= field.name == key; });
+    bool isFlag = false;  // choices such as off and on are none
+    forEachField<Options>([&](const auto& field) {
+      if (field.name != key) return;
+      known = true;
+      isFlag = std::is_same_v<typename std::remove_cvref_t<decltype(field)>::value_type, bool>;
+    });
     if (!known) return false;
     if (value.is_structured() || value.is_null()) {
       fail("should have a number or a text under \"" + key + "\"");
@@ -86,7 +91,8 @@ class RecipeReader {
     try {
       setOption(options, key,
                 value.is_string()    ? value.get<std::string>()
-                : value.is_boolean() ? std::string(value.get<bool>() ? "on" : "off")
+                : value.is_boolean() ? std::string(value.get<bool>() ? (isFlag ? "1" : "on")
+                                                                     : (isFlag ? "0" : "off"))
                                      : value.dump());
     } catch (const InvalidOption& error) {
       throw InvalidOption("'" + path_.string() + "': " + error.what());

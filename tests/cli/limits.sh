@@ -21,7 +21,7 @@ succeeds "a chest" sample chest --ct --spacing 2 -q
 mkdir lobes && mv chest/*.stl lobes
 # Whatever the memory: a whole result or a sentence.
 most=0
-for megabytes in 64 70 77 85 93 102 113 124 136 150 165 182 200; do
+for megabytes in 64 70 77 85 93 102 113 124 136 150 165 182 200 320; do
   while read -r -a arguments; do
     caseName="$megabytes MB: ${arguments[*]}"
     cases=$((cases + 1))
@@ -43,6 +43,6 @@ breathe lobes -o out.pvd --frames 2
 COMMANDS
 done
 expect "no limit was ever too small" test "$most" -gt 64
-expect "no limit was ever enough" test "$most" -lt 200
+expect "no limit was ever enough" test "$most" -lt 320
 refuses "a picture" 9 "drawing takes 600 MB.*--max-memory" render lobes -o out.png --max-memory 300M
 finish

@@ -26,6 +26,13 @@ prepared_slices() {
   pneuma sample made --ct --spacing 2 -q && mv made/ct.nii.gz made/labels.nii.gz . && mkdir lungs && mv made/*.stl lungs/ &&
     pneuma grow lungs --terminals 300 -o tree.vtp -q
 }
+prepared_pictures() {
+  pneuma sample figures -q --cell 5mm && cat >figures/pictures.json <<'LIST'
+{ "schema": "pneuma/pictures/1", "size": "200x150", "references": "references",
+  "pictures": [ { "name": "lobe", "inputs": [ "rul.stl" ], "options": [ "--view", "left" ] } ] }
+LIST
+  mkdir figures/references && pneuma regress figures -o first --update -q
+}
 prepared_comparison() { pneuma sample lobes -q && mv lobes/central.vtp .; }
 
 # The same lungs, a tenth larger.
