@@ -4,9 +4,8 @@
 #include <cstdlib>
 #include <fstream>
 #include <limits>
+#include <sstream>
 #include <string>
-
-#include <sys/resource.h>
 
 namespace pneuma {
 namespace {
@@ -23,13 +22,20 @@ std::uint64_t bytesOf(const char* file, const std::string& name) {
 }
 
 /// What a limit on the process (--max-memory, ulimit) leaves of it.
-std::uint64_t leftOf(int resource, const std::string& used) {
-  struct rlimit limit = {};
-  if (getrlimit(resource, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) {
-    return std::numeric_limits<std::uint64_t>::max();
+/// @param limit as /proc/self/limits calls it: "Max data size    524288000    unlimited    bytes"
+/// @param used  as /proc/self/status calls what counts
+std::uint64_t leftOf(const std::string& limit, const std::string& used) {
+  std::ifstream lines("/proc/self/limits");
+  std::string line;
+  while (std::getline(lines, line)) {
+    if (line.compare(0, limit.size(), limit) != 0) continue;
+    std::istringstream values(line.substr(limit.size()));
+    std::uint64_t bytes = 0;
+    if (!(values >> bytes)) break;  // "unlimited"
+    const std::uint64_t taken = bytesOf("/proc/self/status", used);
+    return bytes > taken ? bytes - taken : 1;
   }
-  const std::uint64_t taken = bytesOf("/proc/self/status", used);
-  return limit.rlim_cur > taken ? limit.rlim_cur - taken : 1;
+  return std::numeric_limits<std::uint64_t>::max();
 }
 
 }  // namespace
@@ -37,7 +43,7 @@ std::uint64_t leftOf(int resource, const std::string& used) {
 std::uint64_t availableMemoryBytes() {
   const std::uint64_t free = bytesOf("/proc/meminfo", "MemAvailable");
   if (free == 0) return 0;
-  return std::min({free, leftOf(RLIMIT_DATA, "VmData"), leftOf(RLIMIT_AS, "VmSize")});
+  return std::min({free, leftOf("Max data size", "VmData"), leftOf("Max address space", "VmSize")});
 }
 
 }  // namespace pneuma

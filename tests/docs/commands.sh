@@ -13,7 +13,7 @@ blocks() { awk '/^```/ { inside = $0 == "```sh"; next } inside' "$1"; }
 
 # What a page takes for granted lies there before its commands are run.
 prepared_README() {
-  pneuma sample made --ct --spacing 2 -q && mv made/dicom dicom-folder && rm -r made && inspired &&
+  pneuma sample made --ct --spacing 2 -q && mv made/dicom dicom-folder && rm -r made && inspired && prepared_pictures &&
     pneuma grow --organ thorax --terminals 500 -o other.vtp -q && marks && poses &&
     if [ -n "${PNEUMA_TEST_DATA:-}" ]; then ln -s "$PNEUMA_TEST_DATA" real-data; fi
 }
