@@ -227,8 +227,10 @@ class Checks {
     const auto most = static_cast<std::size_t>(std::ranges::max_element(v) - v.begin());
     const double tidal = v[most] - v[least];
     if (!(tidal >= LeastTidal && tidal <= MostTidal)) {
+      constexpr double LongestShown = 1e9;  // a damaged file may hold any number
       std::array<char, 32> ml{};
-      std::snprintf(ml.data(), ml.size(), "%.6g", 1000.0 * tidal);
+      std::snprintf(ml.data(), ml.size(), 1000.0 * tidal < LongestShown ? "%.6f" : "%.6g",
+                    1000.0 * tidal);
       throw InvalidInput(where(most) + ": the measured volume moves by " + ml.data() +
                          " ml; a breath is 1 to 20,000 ml: is its column's unit right?");
     }

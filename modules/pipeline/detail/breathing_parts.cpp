@@ -5,6 +5,7 @@
 
 #include "core/error.h"
 #include "core/parallel.h"
+#include "geometry/mesh_doctor.h"
 #include "geometry/surface_domain.h"
 #include "pipeline/whole_lungs.h"
 
@@ -48,11 +49,15 @@ std::array<double, 3> determinantOf(const Eigen::Matrix3d& g) {
 
 /// @throws InvalidInput naming the surface if nothing is inside of it
 void requireClosed(const LobeSurface& surface) {
-  const MeshReport& health = surface.health;
+  // One that was put together by hand was not examined before.
+  const MeshReport health = surface.health.triangles > 0
+                                ? surface.health
+                                : examine(*surface.mesh, SelfIntersections::Skip);
   if (health.closed && health.misorientedEdges == 0 && health.volumeMl > 0.0) return;
   const std::vector<std::string> wrong = complaints(health);
-  throw InvalidInput("'" + surface.name + "' cannot breathe: " +
-                     (wrong.empty() ? "it encloses no volume" : wrong.front()));
+  throw InvalidInput(
+      "'" + surface.name + "' cannot breathe: " +
+      (wrong.empty() ? "it encloses no volume; mend it with 'pneuma repair'" : wrong.front()));
 }
 
 }  // namespace
