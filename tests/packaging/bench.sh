@@ -4,13 +4,7 @@
 set -u
 : "${BUILD:?}" "${JSON_CHECK:?}" "${SCHEMAS:?}"
 HERE=$(cd "$(dirname "$0")" && pwd)
-FOLDER=$(mktemp -d)
-trap 'rm -rf "$FOLDER"' EXIT
-
-fail() {
-  echo "FAILED: $1"
-  exit 1
-}
+. "$HERE/lib.sh"
 
 bench() { FILTER='dla_ball' REPETITIONS=1 MIN_TIME=0.01 "$HERE/../../packaging/bench.sh" "$FOLDER/out" >"$FOLDER/said" 2>&1; }
 

@@ -4,13 +4,7 @@
 set -u
 : "${CMAKE:?}" "${BUILD:?}" "${PNEUMA:?}"
 HERE=$(cd "$(dirname "$0")" && pwd)
-FOLDER=$(mktemp -d)
-trap 'rm -rf "$FOLDER"' EXIT
-
-fail() {
-  echo "FAILED: $1"
-  exit 1
-}
+. "$HERE/lib.sh"
 
 "$CMAKE" --install "$BUILD" --component dev --prefix "$FOLDER/pre fix" >"$FOLDER/install.log" 2>&1 || fail "$(tail -n 5 "$FOLDER/install.log")"
 [ ! -e "$FOLDER/pre fix/bin" ] || fail "the component dev installs programs"

@@ -3,14 +3,8 @@
 # is there, what they allow is no more than drawing, what they download has a checksum; and the container's entry works.
 set -u
 ROOT=$(cd "$(dirname "$0")/../.." && pwd)
-FOLDER=$(mktemp -d)
-trap 'rm -rf "$FOLDER"' EXIT
+. "$ROOT/tests/packaging/lib.sh"
 cd "$ROOT" || exit 1
-
-fail() {
-  echo "FAILED: $1"
-  exit 1
-}
 
 # --- Flatpak
 manifest=packaging/flatpak/org.pneuma.Pneuma.yml
