@@ -125,30 +125,51 @@ void requireOtherThanInputs(const fs::path& output, std::span<const fs::path> in
   }
 }
 
-OutputSet::Replaced::Replaced(const fs::path& file)
-    : file_(file),
-      aside_(file.parent_path() / nameAside(PartEnding)),
-      lock_(::open(file.c_str(), O_RDONLY | O_CLOEXEC)) {
-  lockAside(lock_);
-  noteUnfinished(aside_);
-  std::error_code ignored;  // disks without hard links: then it is replaced for good
-  fs::create_hard_link(file_, aside_, ignored);
+namespace {
+
+/// Where a path leads: itself, or the end of its links, which may not be there.
+fs::path endOfLinks(fs::path path) {
+  constexpr int MostLinks = 40;
+  std::error_code error;
+  for (int n = 0; n < MostLinks && fs::is_symlink(path, error); ++n) {
+    path = path.parent_path() / fs::read_symlink(path, error);
+  }
+  return path;
 }
 
-OutputSet::Replaced::~Replaced() {
+}  // namespace
+
+OutputSet::Aside::Aside(const fs::path& folder) : path_(folder / nameAside(StageEnding)) {
+  noteUnfinished(path_);
+  std::error_code ignored;  // then files are replaced for good
+  fs::create_directory(path_, ignored);
+  lock_ = ::open(path_.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
+  if (lock_ >= 0) lockAside(lock_);
+}
+
+OutputSet::Aside::~Aside() {
   std::error_code ignored;
-  fs::remove(aside_, ignored);
-  forgetUnfinished(aside_);
+  fs::remove_all(path_, ignored);
+  forgetUnfinished(path_);
   if (lock_ >= 0) ::close(lock_);
 }
 
-void OutputSet::Replaced::bringBack() {
+void OutputSet::Aside::keep(const fs::path& file) {
+  const fs::path second = path_ / std::to_string(files_.size());
+  std::error_code error;  // disks without hard links: then it is replaced for good
+  fs::create_hard_link(file, second, error);
+  files_.emplace_back(file, error ? fs::path() : second);
+}
+
+void OutputSet::Aside::bringBack() {
   std::error_code ignored;
-  fs::rename(aside_, file_, ignored);
+  for (auto file = files_.rbegin(); file != files_.rend(); ++file) {
+    if (!file->second.empty()) fs::rename(file->second, file->first, ignored);
+  }
 }
 
 OutputSet::~OutputSet() {
-  for (Replaced& one : replaced_) one.bringBack();
+  for (auto& [folder, aside] : replaced_) aside.bringBack();
   for (auto path = added_.rbegin(); path != added_.rend(); ++path) {
     std::error_code ignored;  // already an error on its way out, or nothing to remove
     fs::remove(*path, ignored);
@@ -158,13 +179,16 @@ OutputSet::~OutputSet() {
 
 void OutputSet::add(const fs::path& path) {
   std::error_code error;
-  if (fs::exists(path, error)) {
-    const fs::path file = fs::canonical(path, error);  // where a link leads
-    if (!error && fs::is_regular_file(file, error)) replaced_.emplace_back(file);
+  const fs::path file = endOfLinks(path);
+  if (fs::is_symlink(file, error)) return;  // one that leads to itself: the writer says so
+  if (fs::exists(file, error)) {
+    if (!fs::is_regular_file(file, error)) return;
+    const fs::path folder = file.parent_path();
+    replaced_.try_emplace(folder, folder).first->second.keep(file);
     return;
   }
-  added_.push_back(path);
-  noteUnfinished(path);
+  added_.push_back(file);
+  noteUnfinished(file);
 }
 
 void OutputSet::keep() {

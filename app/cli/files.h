@@ -1,9 +1,10 @@
 #pragma once
 
 #include <filesystem>
-#include <list>
+#include <map>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "io/atomic_file.h"
@@ -57,24 +58,27 @@ class OutputSet {
   void keep();
 
  private:
-  /// A second name for a file that is going to be replaced, until all others are, too.
-  class Replaced {
+  /// Second names for files of one folder that are going to be replaced, until all are: in a hidden
+  /// folder that is locked, or others might take it for abandoned.
+  class Aside {
    public:
-    explicit Replaced(const std::filesystem::path& file);
-    ~Replaced();
-    Replaced(const Replaced&) = delete;
-    Replaced& operator=(const Replaced&) = delete;
+    explicit Aside(const std::filesystem::path& folder);
+    ~Aside();
+    Aside(const Aside&) = delete;
+    Aside& operator=(const Aside&) = delete;
 
+    void keep(const std::filesystem::path& file);
     void bringBack();
 
    private:
-    std::filesystem::path file_;
-    std::filesystem::path aside_;
-    int lock_;  ///< or it might be taken for abandoned
+    std::filesystem::path path_;
+    int lock_ = -1;
+    /// A file and its second name, which is empty where there is none.
+    std::vector<std::pair<std::filesystem::path, std::filesystem::path>> files_;
   };
 
   std::vector<std::filesystem::path> added_;
-  std::list<Replaced> replaced_;
+  std::map<std::filesystem::path, Aside> replaced_;  ///< by their folder
 };
 
 }  // namespace pneuma::cli

@@ -237,7 +237,7 @@ ExitCode runRegress(const RegressArguments& arguments, const CommonOptions& comm
   std::vector<ComparedPicture> results = drawnAgain(list, pictures, staged.path(), progress);
   if (arguments.update) update(pictures, results, staged.path());
   writeFile(staged.path() / PageName, regressPage(list, results));
-  staged.keep(Existing::Replace);
+  staged.keep(common.existing());
   progress.report(1.0);
   if (common.json) {
     std::cout << jsonText(

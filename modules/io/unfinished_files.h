@@ -25,7 +25,7 @@ bool isNameAside(std::string_view name);
 
 /// Removes what killed processes of this user left written aside in a folder: it has such a name,
 /// nobody holds its lock, and it is an hour old. Looks once at a folder; never throws for what it
-/// finds. A file system that knows no locks keeps them.
+/// finds. Machines that share a disk may not see each other's locks; an hour has to do there.
 void removeAbandoned(const std::filesystem::path& folder);
 
 /// Others' removeAbandoned() leaves what this open file or folder is, until it is closed.

@@ -171,8 +171,8 @@ class Runner {
                                      .image);
     }
     StagedFolder staged(options_.folder);
-    result.files = writeRunLobes(staged.path(), model, recipe_.lobes, lobes_, result.warnings,
-                                 progress.part(0.4, 1.0, "splitting the lungs"));
+    result.files = writeRunLobes(options_.folder, staged.path(), model, recipe_.lobes, lobes_,
+                                 result.warnings, progress.part(0.4, 1.0, "splitting the lungs"));
     result.seconds = secondsSince(start);
     result.state = StageState::Done;
     folder_.place(staged, result, lobesKey_);

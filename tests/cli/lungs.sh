@@ -72,6 +72,10 @@ succeeds "again" run recipe.json -o out
 prints '^ *lungs +kept'
 prints '^ *lobes +kept'
 prints '^ *airways +kept'
+echo '{ "schema": "pneuma/fissures/1", "fissures": { "right-oblique": { "surface": "out/lobes/fissures/right-oblique.vtp" } } }' >named.json
+sed 's/"fractions": "usual"/"fissures": "named.json"/' recipe.json >by-surfaces.json
+succeeds "a recipe that gives a fissure by its surface" run by-surfaces.json -o named --up-to lobes -q
+succeeds "its fissures name the surface that was given" lobes named/right.vtp named/left.vtp --fissures named/lobes/fissures.json -o from-named -q
 sed -i 's/2000/1500/' recipe.json
 succeeds "with other options for the tree" run recipe.json -o out
 prints '^ *lobes +kept'

@@ -67,6 +67,10 @@ works "all of them are closed" closedAll
 works "a small stack" tightStack
 works "an endless stack" endlessStack
 works "few open files" fewFiles
+caseName="few open files, and many that are replaced"
+cases=$((cases + 2))
+made breathe in/chest -o out/breath.pvd --frames 30
+(ulimit -n 24 && exec "$PNEUMA" breathe in/chest -o out/breath.pvd --frames 30 -q -f) >"$logs/out" 2>"$logs/err" || fail "exit code $?"
 works "a working folder that is gone" fromNowhere
 works "a display that is none" env DISPLAY=:none WAYLAND_DISPLAY=none
 works "names of a display without permission" env DISPLAY=localhost:99.99

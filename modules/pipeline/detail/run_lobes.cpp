@@ -23,6 +23,21 @@ void makeFolder(const std::filesystem::path& path) {
   }
 }
 
+/// Surfaces are named by their path from the file that names them. That file is written into
+/// `aside` and moved into `folder`: its surfaces, as they are from there.
+LobeInputs namedFrom(const std::filesystem::path& folder, const std::filesystem::path& aside,
+                     LobeInputs inputs) {
+  const auto name = [&](GivenFissure& given) {
+    if (!given.patch) return;
+    std::error_code unknown;
+    const auto file = std::filesystem::proximate(given.patch->file, folder, unknown);
+    if (!unknown && file.is_relative()) given.patch->file = aside / file;
+  };
+  for (auto& [fissure, given] : inputs.given) name(given);
+  for (AccessoryFissure& accessory : inputs.accessory) name(accessory.fissure);
+  return inputs;
+}
+
 }  // namespace
 
 LobeInputs lobeInputs(const LobesRecipe& recipe) {
@@ -56,7 +71,8 @@ std::vector<std::string> runLobeFiles(const LobeInputs& inputs) {
   return files;
 }
 
-std::vector<std::string> writeRunLobes(const std::filesystem::path& folder, const LungModel& model,
+std::vector<std::string> writeRunLobes(const std::filesystem::path& folder,
+                                       const std::filesystem::path& aside, const LungModel& model,
                                        const LobesRecipe& recipe, const LobeInputs& inputs,
                                        std::vector<std::string>& warnings,
                                        const Progress& progress) {
@@ -70,9 +86,11 @@ std::vector<std::string> writeRunLobes(const std::filesystem::path& folder, cons
   std::vector<std::string> files;
   for (const auto& file : lobeOutputs(model, inputs)) {
     files.push_back(belowRun(file));
-    makeFolder((folder / files.back()).parent_path());
+    makeFolder((aside / files.back()).parent_path());
   }
-  writeLobes(folder / run_files::Lobes, lobes, labels, inputs, report, writing);
+  const auto written = aside / run_files::Lobes;
+  writeLobes(written, lobes, labels, namedFrom(folder / run_files::Lobes, written, inputs), report,
+             writing);
   return files;
 }
 
