@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -23,6 +25,8 @@ class ObjCheck {
       if (line.starts_with('#')) takeComment(line);
       const std::string_view keyword = takeWord(line);
       if (keyword == "v") checkVertex(line);
+      if (keyword == "vt") ++texturePoints_;
+      if (keyword == "vn") ++normals_;
       if (keyword == "f") checkFace(line);
     }
     requireComplete();
@@ -51,25 +55,47 @@ class ObjCheck {
   void checkFace(std::string_view line) {
     ++head_.faces;
     int corners = 0;
+    std::size_t slashes = 0;
     for (std::string_view word = takeWord(line); !word.empty(); word = takeWord(line)) {
       if (word == "\\") throw wrong("is continued on the next; write every face on one line");
-      const std::optional<std::int64_t> index = parseInteger(word.substr(0, word.find('/')));
-      if (index.value_or(0) < 0) {
-        throw wrong("counts points backwards (" + std::to_string(*index) + "), which is not read");
-      }
-      if (index.value_or(0) == 0) {
-        throw wrong("names a point that is none: \"" + std::string(word) + "\"");
-      }
-      highest_ = std::max(highest_, *index);
+      checkCorner(word);
+      const auto here = static_cast<std::size_t>(std::ranges::count(word, '/'));
+      if (corners > 0 && here != slashes) throw wrong("writes its corners in different ways");
+      slashes = here;
       ++corners;
     }
     if (corners < 3) throw wrong("is a face with fewer than three corners");
   }
 
+  /// A point, or a point and what else it has: 3, 3/1, 3/1/2 or 3//2.
+  void checkCorner(std::string_view word) {
+    const std::string_view all = word;
+    for (int field = 0; field < 3; ++field) {
+      const std::size_t end = word.find('/');
+      const std::string_view text = word.substr(0, end);
+      const std::optional<std::int64_t> index = parseInteger(text);
+      if (index.value_or(0) < 0) {
+        throw wrong("counts points backwards (" + std::to_string(*index) + "), which is not read");
+      }
+      const bool leftOut = field == 1 && text.empty() && end != std::string_view::npos;
+      if (index.value_or(0) == 0 && !leftOut) {
+        throw wrong("names a point that is none: \"" + std::string(all) + "\"");
+      }
+      highest_[static_cast<std::size_t>(field)] =
+          std::max(highest_[static_cast<std::size_t>(field)], index.value_or(0));
+      if (end == std::string_view::npos) return;
+      word.remove_prefix(end + 1);
+    }
+    throw wrong("names a point that is none: \"" + std::string(all) + "\"");
+  }
+
   void requireComplete() const {
-    if (highest_ > points_) {
-      throw InvalidInput(name_ + " is cut off or damaged: a face names point " +
-                         std::to_string(highest_) + " of " + std::to_string(points_) +
+    constexpr std::array<const char*, 3> Named = {"point", "texture point", "normal"};
+    const std::array<std::int64_t, 3> there = {points_, texturePoints_, normals_};
+    for (std::size_t n = 0; n < Named.size(); ++n) {
+      if (highest_[n] <= there[n]) continue;
+      throw InvalidInput(name_ + " is cut off or damaged: a face names " + Named[n] + " " +
+                         std::to_string(highest_[n]) + " of " + std::to_string(there[n]) +
                          "; get it anew");
     }
     const std::string found =
@@ -86,7 +112,9 @@ class ObjCheck {
   SurfaceHead head_;
   std::string_view declared_;
   std::int64_t points_ = 0;
-  std::int64_t highest_ = 0;
+  std::int64_t texturePoints_ = 0;
+  std::int64_t normals_ = 0;
+  std::array<std::int64_t, 3> highest_{};  ///< point, texture point and normal that faces name
 };
 
 }  // namespace
@@ -107,7 +135,11 @@ bool looksLikeObj(std::string_view content) {
 }
 
 SurfaceHead checkObj(const std::string& content, const std::string& name) {
-  if (content.find('\0') != std::string::npos) {
+  // Some of them are blanks for VTK and not here.
+  const bool isText = std::ranges::none_of(content, [](char c) {
+    return static_cast<unsigned char>(c) < ' ' && c != '\t' && c != '\n' && c != '\r';
+  });
+  if (!isText) {
     throw InvalidInput(name + " is damaged or no OBJ: it is not text; get it anew");
   }
   return ObjCheck(content, name).run();

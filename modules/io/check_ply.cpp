@@ -3,6 +3,7 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <set>
 #include <vector>
 
 #include "core/error.h"
@@ -107,11 +108,20 @@ class PlyCheck {
       const std::string_view line = takeLine();
       const std::vector<std::string_view> fields = words(line);
       if (fields.empty()) throw damaged("it has an empty line in its header");
-      if (fields[0] == "end_header") break;
-      if (fields[0] == "comment" && head_.space.empty()) head_.space = spaceIn(line);
-      if (fields[0] == "format" && fields.size() > 1) format_ = fields[1];
-      if (fields[0] == "element") addElement(fields);
-      if (fields[0] == "property") addProperty(fields);
+      if (line.find('\0') != std::string_view::npos) throw damaged("its header is not text");
+      if (line == "end_header" || line == "end_header\r") break;
+      if (fields[0] == "comment") {
+        if (head_.space.empty()) head_.space = spaceIn(line);
+      } else if (fields[0] == "format" && fields.size() == 3 && format_.empty()) {
+        format_ = fields[1];
+      } else if (fields[0] == "element") {
+        addElement(fields);
+      } else if (fields[0] == "property") {
+        addProperty(fields);
+      } else if (fields[0] != "obj_info") {
+        throw damaged("its header has a line that starts with \"" +
+                      std::string(fields[0].substr(0, LongestName)) + "\"");
+      }
     }
     if (format_ != "ascii" && format_ != "binary_little_endian" && format_ != "binary_big_endian") {
       throw damaged("its format is \"" + std::string(format_) + "\"");
@@ -145,13 +155,19 @@ class PlyCheck {
     elements_.back().properties.push_back(std::move(property));
   }
 
-  /// VTK's reader writes past its memory at elements without any.
+  /// VTK's reader writes past its memory at elements without any, and takes one for another where
+  /// two have a name.
   void requireProperties() const {
     for (const Element& element : elements_) {
       if (element.properties.empty()) {
         throw damaged("its element \"" + element.name.substr(0, LongestName) +
                       "\" has no property");
       }
+    }
+    std::set<std::string_view> names;
+    for (const Element& element : elements_) {
+      if (names.insert(element.name).second) continue;
+      throw damaged("it has two elements \"" + element.name.substr(0, LongestName) + "\"");
     }
   }
 

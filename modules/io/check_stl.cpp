@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -30,6 +31,14 @@ bool isAsciiStl(std::string_view content) {
 }
 
 SurfaceHead checkAscii(std::string_view content, const std::string& name) {
+  // VTK's reader takes a text with others for binary, and its letters for a number of triangles.
+  const bool isAscii = std::ranges::all_of(
+      content, [](char c) { return (c >= ' ' && c <= '~') || (c >= '\t' && c <= '\r'); });
+  if (!isAscii) {
+    throw InvalidInput(name +
+                       " has letters beyond ASCII, such as umlauts, which a text STL cannot "
+                       "have, or is damaged; replace them, or export the file anew");
+  }
   SurfaceHead head;
   head.space = spaceIn(content.substr(0, content.find('\n')));
   std::size_t vertices = 0;

@@ -7,19 +7,14 @@
 #include <vtkDICOMVR.h>
 
 #include "core/error.h"
+#include "io/detail/dicom_marks.h"
 #include "io/detail/text_fields.h"
 
 namespace pneuma {
 namespace {
 
 constexpr std::size_t PreambleSize = 128;
-constexpr std::uint32_t Undefined = 0xFFFFFFFF;
-constexpr std::uint32_t Item = 0xFFFEE000;
-constexpr std::uint32_t ItemEnd = 0xFFFEE00D;
-constexpr std::uint32_t SequenceEnd = 0xFFFEE0DD;
 constexpr std::uint32_t PixelData = 0x7FE00010;
-constexpr std::uint32_t TransferSyntax = 0x00020010;
-constexpr int MostNested = 32;
 
 /// Representations whose length takes four bytes.
 bool isLong(std::string_view vr) {
@@ -57,11 +52,11 @@ class Reader {
 
   /// All elements up to `end`, or to the end of an item where that is not known.
   DicomDataSet dataSet(std::size_t end, bool isExplicit, int depth) {
-    if (depth > MostNested) damaged("its sequences are nested too deeply");
+    if (depth > dicom::MostNested) damaged("its sequences are nested too deeply");
     DicomDataSet elements;
     while (at_ < end) {
       const std::uint32_t next = tag();
-      if (next == ItemEnd) {
+      if (next == dicom::ItemEnd) {
         if (depth == 0) damaged("an item ends that never began");
         number(4);
         return elements;
@@ -123,10 +118,10 @@ class Reader {
       result.vr = dictionaryVr(found);
       length = number(4);
     }
-    if (found == PixelData && length == Undefined) {
+    if (found == PixelData && length == dicom::UndefinedLength) {
       result.encapsulated = true;
       result.value = fragments();
-    } else if (result.vr == "SQ" || length == Undefined) {
+    } else if (result.vr == "SQ" || length == dicom::UndefinedLength) {
       // What is unknown and of no stated length is a sequence in implicit encoding (PS3.5, 6.2.2).
       const bool inner = isExplicit && result.vr != "UN";
       result.items = sequence(length, inner, depth + 1);
@@ -139,14 +134,14 @@ class Reader {
 
   std::vector<DicomDataSet> sequence(std::uint32_t length, bool isExplicit, int depth) {
     std::vector<DicomDataSet> items;
-    const std::size_t end = length == Undefined ? bytes_.size() : at_ + length;
+    const std::size_t end = length == dicom::UndefinedLength ? bytes_.size() : at_ + length;
     if (end > bytes_.size()) damaged("a sequence reaches beyond its end");
     while (at_ < end) {
       const std::uint32_t next = tag();
       const std::uint32_t size = number(4);
-      if (next == SequenceEnd) return items;
-      if (next != Item) damaged("a sequence holds something that is no item");
-      const std::size_t itemEnd = size == Undefined ? bytes_.size() : at_ + size;
+      if (next == dicom::SequenceEnd) return items;
+      if (next != dicom::Item) damaged("a sequence holds something that is no item");
+      const std::size_t itemEnd = size == dicom::UndefinedLength ? bytes_.size() : at_ + size;
       if (itemEnd > bytes_.size()) damaged("an item reaches beyond the end");
       items.push_back(dataSet(itemEnd, isExplicit, depth));
     }
@@ -159,8 +154,8 @@ class Reader {
     while (true) {
       const std::uint32_t next = tag();
       const std::uint32_t size = number(4);
-      if (next == SequenceEnd) return std::string(bytes_.substr(start, at_ - start));
-      if (next != Item) damaged("its compressed pixels hold something that is no item");
+      if (next == dicom::SequenceEnd) return std::string(bytes_.substr(start, at_ - start));
+      if (next != dicom::Item) damaged("its compressed pixels hold something that is no item");
       take(size);
     }
   }
@@ -192,7 +187,7 @@ std::string valueOf(const DicomElement& element, bool isExplicit) {
   std::string value;
   for (const DicomDataSet& item : element.items) {
     const std::string content = encoded(item, isExplicit);
-    putTag(value, Item);
+    putTag(value, dicom::Item);
     put32(value, static_cast<std::uint32_t>(content.size()));
     value += content;
   }
@@ -204,7 +199,7 @@ std::string encoded(const DicomDataSet& elements, bool isExplicit) {
   for (const DicomElement& element : elements) {
     const std::string value = valueOf(element, isExplicit);
     const std::uint32_t length =
-        element.encapsulated ? Undefined : static_cast<std::uint32_t>(value.size());
+        element.encapsulated ? dicom::UndefinedLength : static_cast<std::uint32_t>(value.size());
     putTag(text, element.tag);
     if (!isExplicit) {
       put32(text, length);
@@ -250,7 +245,7 @@ DicomElements dicomElements(std::string_view file, const std::string& name) {
   DicomElements result;
   result.meta = reader.meta();
   std::erase_if(result.meta, [](const DicomElement& e) { return e.tag == 0x00020000; });
-  const auto syntax = std::ranges::find(result.meta, TransferSyntax, &DicomElement::tag);
+  const auto syntax = std::ranges::find(result.meta, dicom::TransferSyntax, &DicomElement::tag);
   if (syntax == result.meta.end()) {
     throw InvalidInput(quotedName(name) + " does not state its transfer syntax");
   }

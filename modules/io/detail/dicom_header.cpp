@@ -9,6 +9,7 @@
 #include <vtkDICOMUtilities.h>
 #include <vtkNew.h>
 
+#include "io/detail/dicom_nesting.h"
 #include "io/detail/text_fields.h"
 #include "io/detail/vtk_errors.h"
 
@@ -219,6 +220,11 @@ std::optional<DicomHeader> readDicomHeader(const std::filesystem::path& file,
     throw InputMissing(quotedName(name) + " cannot be read; check its permissions");
   }
   if (!isDicomFile(file)) return std::nullopt;
+  if (const std::string fault = nestingFault(file); !fault.empty()) {
+    DicomHeader unsound;
+    setFault(unsound, ExitCode::InputInvalid, fault);
+    return unsound;
+  }
   const vtkNew<vtkDICOMMetaData> data;
   const vtkNew<vtkDICOMParser> parser;
   const VtkErrors errors(static_cast<vtkObject&>(*parser));

@@ -3,6 +3,7 @@
 #include <bit>
 #include <cstring>
 #include <optional>
+#include <set>
 #include <sstream>
 #include <vector>
 
@@ -176,7 +177,15 @@ class Check {
   }
 
   void checkArrays(vtkXMLDataElement* group, std::int64_t tuples) {
-    forEachNested(group, [&](vtkXMLDataElement* array) { checkArray(array, tuples); });
+    // VTK's reader has one array for each name, and looks for as many as there are elements.
+    std::set<std::string_view> names;
+    forEachNested(group, [&](vtkXMLDataElement* array) {
+      const std::string_view which = attribute(array, "Name");
+      if (!names.insert(which).second) {
+        throw damaged("it has two arrays \"" + std::string(which) + "\"");
+      }
+      checkArray(array, tuples);
+    });
   }
 
   /// @param tuples how many there must be, or Unknown
