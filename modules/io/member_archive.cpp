@@ -27,10 +27,6 @@ constexpr std::size_t MostMembers = 10000;
 constexpr std::size_t PieceBytes = std::size_t{1} << 20;
 // Deflate makes 1032 of one byte at most.
 constexpr std::uint64_t MostDeflated = 1032;
-// What swells more than that in memory is a bomb; or an image of nothing, which is therefore
-// stored.
-constexpr std::uint64_t MostSwelling = 200;
-constexpr std::uint64_t FreeSwelling = std::uint64_t{256} << 20;
 // The same members give the same bytes: no clock. 1 January 1980 is where those of zip begin.
 constexpr std::time_t MemberTime = 315619200;
 
@@ -39,7 +35,9 @@ struct CloseWriter {
 };
 
 /// Bytes that an archive of `packed` bytes may unpack to.
-std::uint64_t mostUnpacked(std::uint64_t packed) { return FreeSwelling + MostSwelling * packed; }
+std::uint64_t mostUnpacked(std::uint64_t packed, const ArchiveLimits& limits) {
+  return std::min(limits.bytes, limits.freeSwelling + limits.swelling * packed);
+}
 
 /// Where libarchive's bytes go. Its code is C: what is thrown waits until it has returned.
 struct Sink {
@@ -71,10 +69,9 @@ class ZipWriter {
     require(archive_write_open(handle_.get(), &sink_, nullptr, writeTo, nullptr));
   }
 
-  /// @param pack false: not even if the member shall be packed
   void add(const ArchiveMember& member, bool pack, const Progress& progress) {
-    require(member.packed && pack ? archive_write_zip_set_compression_deflate(handle_.get())
-                                  : archive_write_zip_set_compression_store(handle_.get()));
+    require(pack ? archive_write_zip_set_compression_deflate(handle_.get())
+                 : archive_write_zip_set_compression_store(handle_.get()));
     const std::unique_ptr<archive_entry, void (*)(archive_entry*)> entry(archive_entry_new(),
                                                                          archive_entry_free);
     if (!entry) throw std::bad_alloc();
@@ -146,6 +143,29 @@ void keepPrevious(const fs::path& path) {
                      error.message() + "; save under another name");
 }
 
+/// A member that is being written.
+struct Packing {
+  bool pack = false;
+  std::uint64_t bytes = 0;  ///< that it took in the archive
+};
+
+/// Packs so many members no more, the smallest first, that the archive becomes `missing` bytes
+/// longer; or all.
+void packFewer(const std::vector<ArchiveMember>& members, std::uint64_t missing,
+               std::vector<Packing>& packings) {
+  std::vector<std::size_t> order;
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    if (packings[i].pack) order.push_back(i);
+  }
+  std::ranges::stable_sort(order, {}, [&](std::size_t i) { return members[i].content.size(); });
+  std::uint64_t longer = 0;
+  for (const std::size_t i : order) {
+    if (longer >= missing) return;
+    packings[i].pack = false;
+    longer += members[i].content.size() - std::min(members[i].content.size(), packings[i].bytes);
+  }
+}
+
 /// @param packed bytes of the archive
 void requirePossibleSize(const fs::path& path, std::uint64_t packed, std::uint64_t stated,
                          const std::string& name) {
@@ -155,7 +175,7 @@ void requirePossibleSize(const fs::path& path, std::uint64_t packed, std::uint64
 }
 
 /// Refuses what is no archive of ours before a byte is unpacked.
-void requireSound(const fs::path& path, std::uint64_t most, const Progress& progress) {
+void requireSound(const fs::path& path, const Progress& progress, const ArchiveLimits& limits) {
   const Archive handle = openedArchive(path);
   std::error_code error;
   const std::uint64_t packed = fs::file_size(path, error);
@@ -173,7 +193,7 @@ void requireSound(const fs::path& path, std::uint64_t most, const Progress& prog
     const std::uint64_t stated = statedSize(entry);
     if (!error) requirePossibleSize(path, packed, stated, name);
     total += stated;
-    if (total > most || count > MostMembers || (!error && total > mostUnpacked(packed))) {
+    if (count > MostMembers || total > mostUnpacked(error ? total : packed, limits)) {
       throw InvalidInput("the archive " + quoted(path) + " would swell to " +
                          std::to_string(total >> 20) + " MB or more in " + std::to_string(count) +
                          " files, which no project does; it was not unpacked");
@@ -216,21 +236,35 @@ bool isProjectFileName(const fs::path& path) {
 }
 
 void writeArchive(const fs::path& path, const std::vector<ArchiveMember>& members,
-                  const Progress& progress) {
+                  const Progress& progress, const ArchiveLimits& limits) {
   std::uint64_t total = 0;
-  for (const ArchiveMember& member : members) total += member.content.size();
-  for (const bool pack : {true, false}) {
+  std::vector<Packing> packings;
+  for (const ArchiveMember& member : members) {
+    total += member.content.size();
+    packings.push_back({member.packed, 0});
+  }
+  for (bool again = false;; again = true) {
     AtomicFile file(path);
     ZipWriter writer(file);
     for (std::size_t i = 0; i < members.size(); ++i) {
       const auto count = static_cast<double>(members.size());
-      const double from = pack ? static_cast<double>(i) / count : 1.0;
-      const double to = pack ? static_cast<double>(i + 1) / count : 1.0;
-      writer.add(members[i], pack, progress.part(from, to, "writing"));
+      const double from = again ? 1.0 : static_cast<double>(i) / count;
+      const double to = again ? 1.0 : static_cast<double>(i + 1) / count;
+      const std::uint64_t before = writer.bytes();
+      writer.add(members[i], packings[i].pack, progress.part(from, to, "writing"));
+      packings[i].bytes = writer.bytes() - before;
     }
     writer.close();
     progress.throwIfStopped();
-    if (pack && total > mostUnpacked(writer.bytes())) continue;  // readers would take it for a bomb
+    if (total > limits.freeSwelling) {
+      const std::uint64_t least =
+          (total - limits.freeSwelling + limits.swelling - 1) / limits.swelling;
+      const bool packed = std::ranges::any_of(packings, &Packing::pack);
+      if (writer.bytes() < least && packed) {
+        packFewer(members, least - writer.bytes(), packings);
+        continue;
+      }
+    }
     keepPrevious(path);
     file.commit();
     break;
@@ -238,9 +272,9 @@ void writeArchive(const fs::path& path, const std::vector<ArchiveMember>& member
   progress.report(1.0);
 }
 
-std::vector<ArchiveMember> readArchive(const fs::path& path, std::uint64_t most,
-                                       const Progress& progress) {
-  requireSound(path, most, progress);
+std::vector<ArchiveMember> readArchive(const fs::path& path, const Progress& progress,
+                                       const ArchiveLimits& limits) {
+  requireSound(path, progress, limits);
   const Archive handle = openedArchive(path);
   std::vector<ArchiveMember> members;
   std::size_t count = 0;

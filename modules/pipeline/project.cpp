@@ -323,8 +323,7 @@ void writeProject(const fs::path& path, const Project& project, const Progress& 
 }
 
 Project readProject(const fs::path& path, const Progress& progress) {
-  constexpr std::uint64_t MostBytes = std::uint64_t{1} << 36;
-  return projectOf(readArchive(path, MostBytes, progress.part(0.0, 0.5, "reading")), folderOf(path),
+  return projectOf(readArchive(path, progress.part(0.0, 0.5, "reading")), folderOf(path),
                    "'" + path.string() + "'", progress.part(0.5, 1.0, "putting together"));
 }
 
