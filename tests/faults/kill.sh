@@ -116,10 +116,49 @@ killedAt() {
         survives $state
       done
     done
+    [ "$killed" -gt 0 ] || fail "nothing was killed"
     echo "$name, $state: killed at $killed calls; $old with old files, $new with new ones, $bad with neither;" \
       "in $left something was left aside"
   done
   asBefore "$@"
+}
+
+# goesOn NAME ARGUMENT...: what is killed at any call, into a new folder, can be done again as it stands: nobody is told
+# to use --force for files that were left there. Likewise over what another run of its own left (twice).
+goesOn() {
+  local name=$1 kind n state
+  shift
+  [[ -z ${PNEUMA_FAULT_ONLY:-} || $name == $PNEUMA_FAULT_ONLY ]] || return
+  cases=$((cases + 1))
+  reference "$name" "$@"
+  killed=0
+  for kind in open write sync rename; do
+    prepare fresh
+    counted $kind FAULT_AT=0 -- "$@"
+    for n in $(picks "$calls" "$((2 * most))"); do
+      for state in fresh again; do
+        caseName="$name: killed at $kind $n ($state)"
+        cases=$((cases + 1))
+        prepare fresh
+        if [ $state = again ]; then
+          run "${@//recipe.json/recipe-other.json}"
+          [ "$code" -eq 0 ] || fail "the run before ended with $code"
+        fi
+        counted $kind FAULT_AT="$n" FAULT_SIGNAL=9 -- "$@" 2>/dev/null
+        [ "$code" -eq 137 ] && killed=$((killed + 1))
+        caseName="$name: done again after a kill at $kind $n ($state)"
+        run "$@"
+        [ "$code" -eq 0 ] || fail "exit code $code"
+        for file in $names; do
+          cmp -s "out/$file" "$logs/new/$file" || [[ $unstable == *" $file "* ]] || fail "$file is not the new one"
+        done
+        find out -name '.pneuma-*' -prune -exec rm -r {} +
+        [ "$(cd out && find . -type f | sort)" = "$names" ] || fail "other files: $(cd out && find . -type f | sort)"
+      done
+    done
+  done
+  [ "$killed" -gt 0 ] || fail "nothing was killed"
+  echo "$name: killed at $killed calls, and done again"
 }
 
 # A project: nearly all of the time goes into what is saved; the rest is killed call by call.
@@ -128,4 +167,6 @@ killedAt "exporting for ParaView" $((kills / 5)) export in/breathing.pneuma --pr
 killedAt "exporting a surface" $((kills / 10)) export in/chest/rul.stl -o out/rul.vtp -f -q
 killedAt "exporting an animation" $((kills / 10)) export in/breathing.pneuma --preset share -o out -f -q
 killedAt "growing" $((kills / 10)) grow in/ball.obj --method centroid --terminals 30 -o out/tree.vtp --report out/r.json -f -q
+sed -e 's/"spacing": 8/"spacing": 9/' -e 's/"terminals": 30/"terminals": 20/' in/recipe.json >in/recipe-other.json
+goesOn "running into a folder" run in/recipe.json -o out/case -q
 finish

@@ -1,6 +1,7 @@
 #include "pipeline/detail/run_folder.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "core/error.h"
@@ -11,6 +12,8 @@ namespace pneuma {
 namespace {
 
 constexpr std::string_view StateSchema = "pneuma/run/1";
+/// In the place of a stage: what was on its way to its place when the run ended.
+constexpr const char* Placing = "placing";
 
 std::string name(Stage stage) {
   return std::string(choices(Stage{})[static_cast<std::size_t>(stage)]);
@@ -36,6 +39,43 @@ Json stagesIn(const std::filesystem::path& path) {
   return sound ? state["stages"] : Json::object();
 }
 
+std::string stateText(const Json& stages) {
+  return textOf(Json{{"schema", StateSchema}, {"stages", stages}});
+}
+
+/// A run.json for the time in which files move. Unless done() is called, the one before comes back.
+class Announced {
+ public:
+  Announced(std::filesystem::path path, const std::string& text) : path_(std::move(path)) {
+    std::error_code ignored;
+    if (std::filesystem::is_regular_file(path_, ignored)) before_ = readFile(path_);
+    writeFile(path_, text);
+  }
+
+  ~Announced() {
+    if (done_) return;
+    try {
+      if (before_) {
+        writeFile(path_, *before_);
+      } else {
+        std::error_code ignored;
+        std::filesystem::remove(path_, ignored);
+      }
+    } catch (const Error&) {  // then it tells of files that are not there, which harms nobody
+    }
+  }
+
+  Announced(const Announced&) = delete;
+  Announced& operator=(const Announced&) = delete;
+
+  void done() { done_ = true; }
+
+ private:
+  std::filesystem::path path_;
+  std::optional<std::string> before_;
+  bool done_ = false;
+};
+
 bool isThere(const std::filesystem::path& path) {
   std::error_code ignored;
   return std::filesystem::exists(std::filesystem::symlink_status(path, ignored));
@@ -46,17 +86,18 @@ bool isThere(const std::filesystem::path& path) {
 RunFolder::RunFolder(std::filesystem::path path)
     : path_(std::move(path)), before_(stagesIn(path_ / run_files::State)), now_(Json::object()) {}
 
-bool RunFolder::isOwn(const std::string& file) {
-  const auto known = own_.find(file);
-  if (known != own_.end()) return known->second;
+const std::string& RunFolder::hashOf(const std::string& file) {
+  const auto known = hashes_.find(file);
+  if (known != hashes_.end()) return known->second;
   std::error_code ignored;
-  bool own = false;
-  for (const Json& stage : before_) {
-    if (stage["files"].contains(file) && std::filesystem::is_regular_file(path_ / file, ignored)) {
-      own = sha256OfFile(path_ / file) == stage["files"][file];
-    }
-  }
-  return own_[file] = own;
+  const bool there = std::filesystem::is_regular_file(path_ / file, ignored);
+  return hashes_[file] = there ? sha256OfFile(path_ / file) : std::string();
+}
+
+bool RunFolder::isOwn(const std::string& file) {
+  return std::ranges::any_of(before_, [&](const Json& stage) {
+    return stage["files"].contains(file) && stage["files"][file] == Json(hashOf(file));
+  });
 }
 
 void RunFolder::refuse(const std::string& file, const std::string& why) const {
@@ -82,7 +123,7 @@ bool RunFolder::holds(Stage stage, const std::string& key) {
   const Json& entry = before_[name(stage)];
   if (entry["key"] != key) return false;
   for (const auto& [file, hash] : entry["files"].items()) {
-    if (!isOwn(file)) return false;
+    if (hash != Json(hashOf(file))) return false;
   }
   return true;
 }
@@ -99,14 +140,17 @@ StageResult RunFolder::keep(Stage stage) {
 std::vector<std::string> RunFolder::takeOutdated(Stage stage,
                                                  const std::vector<std::string>& anew) {
   std::vector<std::string> outdated;
-  for (std::size_t s = static_cast<std::size_t>(stage); s < choices(Stage{}).size(); ++s) {
-    const std::string of = name(static_cast<Stage>(s));
-    if (!before_.contains(of)) continue;
+  const auto take = [&](const std::string& of) {
+    if (!before_.contains(of)) return;
     for (const auto& [file, hash] : before_[of]["files"].items()) {
       if (std::ranges::find(anew, file) == anew.end() && isOwn(file)) outdated.push_back(file);
     }
     before_.erase(of);
+  };
+  for (std::size_t s = static_cast<std::size_t>(stage); s < choices(Stage{}).size(); ++s) {
+    take(name(static_cast<Stage>(s)));
   }
+  take(Placing);
   return outdated;
 }
 
@@ -115,11 +159,15 @@ void RunFolder::place(StagedFolder& staged, const StageResult& result, const std
   for (const std::string& file : result.files) {
     entry["files"][file] = sha256OfFile(staged.path() / file);
   }
+  Json meanwhile = before_;
+  meanwhile.update(now_);
+  meanwhile[Placing] = entry;
   now_[name(result.stage)] = std::move(entry);
-  writeFile(staged.path() / run_files::State,
-            textOf(Json{{"schema", StateSchema}, {"stages", now_}}));
+  writeFile(staged.path() / run_files::State, stateText(now_));
+  Announced announced(path_ / run_files::State, stateText(meanwhile));
   const std::vector<std::string> outdated = takeOutdated(result.stage, result.files);
   staged.keep(Existing::Replace);
+  announced.done();
   for (const std::string& file : outdated) {
     std::error_code ignored;
     const std::filesystem::path path = path_ / file;

@@ -33,7 +33,8 @@ class RunFolder {
 
   /// Moves what a stage wrote aside to its place, with a run.json that tells of it, and then
   /// removes what else the run before left of this stage and of those after it. Until then, all of
-  /// that is there. @throws OutputFailed: nothing was changed
+  /// that is there. Meanwhile run.json tells of the old files and of the new ones, so that a run
+  /// that is killed can be done again. @throws OutputFailed: nothing was changed
   void place(StagedFolder& staged, const StageResult& result, const std::string& key);
 
   /// True if a stage, done now or kept, left this file.
@@ -43,6 +44,10 @@ class RunFolder {
   void make() const;
 
  private:
+  /// Of a file that is there, else empty.
+  const std::string& hashOf(const std::string& file);
+
+  /// True if it is as some run left it.
   bool isOwn(const std::string& file);
 
   /// What the run before left of this stage and of those after it, but for files that are made
@@ -53,7 +58,7 @@ class RunFolder {
   std::filesystem::path path_;
   Json before_;  ///< stages of the run before by name, or empty
   Json now_;
-  std::map<std::string, bool> own_;  ///< hashing takes its time: once for each file
+  std::map<std::string, std::string> hashes_;  ///< hashing takes its time: once for each file
 };
 
 /// As text for a file; bytes that are no UTF-8 are replaced.
