@@ -149,6 +149,9 @@ OutputSet::Aside::Aside(const fs::path& folder) : path_(folder / nameAside(Stage
 
 OutputSet::Aside::~Aside() {
   std::error_code ignored;
+  for (const auto& [file, second] : files_) {
+    if (!second.empty()) forgetUnfinished(file);
+  }
   fs::remove_all(path_, ignored);
   forgetUnfinished(path_);
   if (lock_ >= 0) ::close(lock_);
@@ -158,6 +161,7 @@ void OutputSet::Aside::keep(const fs::path& file) {
   const fs::path second = path_ / std::to_string(files_.size());
   std::error_code error;  // disks without hard links: then it is replaced for good
   fs::create_hard_link(file, second, error);
+  if (!error) noteReplaced(file, second);
   files_.emplace_back(file, error ? fs::path() : second);
 }
 
@@ -172,8 +176,8 @@ OutputSet::~OutputSet() {
   for (auto& [folder, aside] : replaced_) aside.bringBack();
   for (auto path = added_.rbegin(); path != added_.rend(); ++path) {
     std::error_code ignored;  // already an error on its way out, or nothing to remove
-    fs::remove(*path, ignored);
-    forgetUnfinished(*path);
+    // What another program has put there meanwhile stays.
+    if (forgetUnfinished(*path)) fs::remove(*path, ignored);
   }
 }
 
@@ -207,6 +211,7 @@ void OutputSet::addFolder(const fs::path& path) {
   }
   added_.push_back(path);
   noteUnfinished(path);
+  notePlaced(path);
 }
 
 }  // namespace pneuma::cli

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <atomic>
 #include <stdexcept>
-#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -20,10 +19,10 @@ namespace {
 unsigned possibleThreads(unsigned wanted) {
   std::atomic<bool> over{false};
   std::vector<std::thread> others;
-  others.reserve(wanted);
   try {
+    others.reserve(wanted);
     while (others.size() + 1 < wanted) others.emplace_back([&over] { over.wait(false); });
-  } catch (const std::system_error&) {  // no more than these
+  } catch (const std::exception&) {  // no more than these: threads or memory are out
   }
   over = true;
   over.notify_all();

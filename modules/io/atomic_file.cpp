@@ -196,6 +196,7 @@ void AtomicFile::commit() {
   } else if (::rename(part_.c_str(), target_.c_str()) != 0) {
     throwSystemError(target_, errno);
   }
+  notePlaced(target_);
   forgetUnfinished(part_);
   part_.clear();
   // Some file systems cannot sync a folder; the file itself is safe by now.

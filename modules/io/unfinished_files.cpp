@@ -8,6 +8,7 @@
 #include <ctime>
 #include <memory>
 #include <mutex>
+#include <new>
 #include <random>
 #include <set>
 #include <system_error>
@@ -25,19 +26,56 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t MostNoted = 256;
 constexpr std::string_view Beginning = ".pneuma-";
 constexpr std::size_t Digits = 16;
 constexpr std::time_t AbandonedAfterSeconds = 3600;
 
-/// Paths of fixed length, so that they can be read when memory is out.
+using PathText = std::array<char, PATH_MAX>;
+
+/// Something that goes away if the program ends now. Texts of fixed length, so that they can be
+/// read when memory is out; notes are used again and never freed, as others may read them then.
+struct Note {
+  PathText path{};    ///< empty: the note is free
+  PathText before{};  ///< second name of the file that was there before, or empty
+  bool ours = false;  ///< what is there now is of this process
+  Note* next = nullptr;
+};
+
 struct Noted {
   std::mutex mutex;
-  std::array<std::array<char, PATH_MAX>, MostNoted> paths{};
+  Note* first = nullptr;
 };
 
 /// Needs neither making nor destroying: a program may end while others still write.
 constinit Noted noted;
+
+bool fits(const fs::path& path) { return !path.empty() && path.native().size() < PATH_MAX; }
+
+void put(PathText& text, const fs::path& path) {
+  std::memcpy(text.data(), path.c_str(), path.native().size() + 1);
+}
+
+/// Null if there is none. The mutex is held.
+Note* noteOf(std::string_view path) {
+  Note* note = noted.first;
+  while (note != nullptr && path != note->path.data()) note = note->next;
+  return note;
+}
+
+/// Null if there is no memory for it. The mutex is held.
+Note* newNote(const fs::path& path) {
+  Note* note = noteOf("");
+  if (note == nullptr) {
+    note = new (std::nothrow) Note;
+    if (note == nullptr) return nullptr;
+    note->next = noted.first;
+    noted.first = note;
+  }
+  note->before[0] = '\0';
+  note->ours = false;
+  put(note->path, path);
+  return note;
+}
 
 /// A folder with nothing in it but files and folders like it.
 void removeEverything(int parent, const char* name) noexcept {
@@ -83,36 +121,49 @@ void removeIfAbandoned(int folder, const char* name) {
 void removeUnfinished() noexcept {
   // Whoever holds it may be the thread that has to end.
   const bool locked = noted.mutex.try_lock();
+  for (const Note* note = noted.first; note != nullptr; note = note->next) {
+    if (note->path[0] == '\0' || note->before[0] == '\0') continue;
+    ::rename(note->before.data(), note->path.data());
+  }
   // Twice, for folders that have to be empty first. What is in others than those aside is not ours.
   for (int pass = 0; pass < 2; ++pass) {
-    for (const auto& path : noted.paths) {
-      if (path[0] == '\0') continue;
-      const std::string_view name(path.data());
+    for (const Note* note = noted.first; note != nullptr; note = note->next) {
+      if (note->path[0] == '\0' || note->before[0] != '\0') continue;
+      const std::string_view name(note->path.data());
       if (isNameAside(name.substr(name.rfind('/') + 1))) {
-        removeEverything(AT_FDCWD, path.data());
-      } else if (::unlink(path.data()) != 0) {
-        ::rmdir(path.data());
+        removeEverything(AT_FDCWD, note->path.data());
+      } else if (note->ours && ::unlink(note->path.data()) != 0) {
+        ::rmdir(note->path.data());
       }
     }
   }
-  for (auto& path : noted.paths) path[0] = '\0';
+  for (Note* note = noted.first; note != nullptr; note = note->next) note->path[0] = '\0';
   if (locked) noted.mutex.unlock();
 }
 
 void noteUnfinished(const fs::path& path) noexcept {
-  const std::string& text = path.native();
-  if (text.empty() || text.size() >= PATH_MAX) return;
+  if (!fits(path)) return;
   const std::lock_guard lock(noted.mutex);
-  const auto free = std::find_if(noted.paths.begin(), noted.paths.end(),
-                                 [](const auto& p) { return p[0] == '\0'; });
-  if (free != noted.paths.end()) std::memcpy(free->data(), text.c_str(), text.size() + 1);
+  newNote(path);
 }
 
-void forgetUnfinished(const fs::path& path) noexcept {
+void noteReplaced(const fs::path& path, const fs::path& before) noexcept {
+  if (!fits(path) || !fits(before)) return;
   const std::lock_guard lock(noted.mutex);
-  const auto same = std::find_if(noted.paths.begin(), noted.paths.end(),
-                                 [&](const auto& p) { return path.native() == p.data(); });
-  if (same != noted.paths.end() && !path.empty()) same->front() = '\0';
+  if (Note* note = newNote(path)) put(note->before, before);
+}
+
+void notePlaced(const fs::path& path) noexcept {
+  const std::lock_guard lock(noted.mutex);
+  if (Note* note = path.empty() ? nullptr : noteOf(path.native())) note->ours = true;
+}
+
+bool forgetUnfinished(const fs::path& path) noexcept {
+  const std::lock_guard lock(noted.mutex);
+  Note* note = path.empty() ? nullptr : noteOf(path.native());
+  if (note == nullptr) return false;
+  note->path[0] = '\0';
+  return note->ours;
 }
 
 std::string nameAside(std::string_view ending) {

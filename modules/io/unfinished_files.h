@@ -10,9 +10,18 @@ namespace pneuma {
 /// to end where no destructor is reached. Allocates nothing.
 void removeUnfinished() noexcept;
 
-/// What removeUnfinished() removes. Beyond some hundred at a time they are not noted.
+/// What removeUnfinished() removes: a name aside; or an output once notePlaced() says that what has
+/// its name now is of this process. Not noted where there is no memory for it.
 void noteUnfinished(const std::filesystem::path& path) noexcept;
-void forgetUnfinished(const std::filesystem::path& path) noexcept;
+
+/// A file that is being replaced: removeUnfinished() puts it back from its second name, `before`.
+void noteReplaced(const std::filesystem::path& path, const std::filesystem::path& before) noexcept;
+
+/// This process has put a file or a folder there. Nothing if the path was not noted.
+void notePlaced(const std::filesystem::path& path) noexcept;
+
+/// True if notePlaced() was called for it: otherwise what is there is somebody else's.
+bool forgetUnfinished(const std::filesystem::path& path) noexcept;
 
 /// A new name by chance for what is written aside: .pneuma-0123456789abcdef and `ending`.
 std::string nameAside(std::string_view ending);

@@ -36,6 +36,48 @@ TEST(NameAside, IsKnownAgainAndNeverTheSame) {
   }
 }
 
+TEST(RemoveUnfinished, TakesWhatIsOursAndBringsBackWhatWasThere) {
+  const TempFolder folder;
+  const fs::path aside = folder / nameAside(PartEnding);
+  noteUnfinished(aside);
+  writeFile(aside, "half");
+  const fs::path ours = folder / "ours";
+  noteUnfinished(ours);
+  writeFile(ours, "whole");
+  // Noted because it was not there; then another program was quicker.
+  const fs::path others = folder / "others";
+  noteUnfinished(others);
+  folder.put("others", "whole");
+  const fs::path replaced = folder.put("replaced", "old");
+  const fs::path second = folder / "second";
+  fs::create_hard_link(replaced, second);
+  noteReplaced(replaced, second);
+  writeFile(replaced, "new");
+  // Kept: no longer ours to remove, or to bring back.
+  const fs::path kept = folder / "kept";
+  noteUnfinished(kept);
+  writeFile(kept, "whole");
+  EXPECT_TRUE(forgetUnfinished(kept));
+  EXPECT_FALSE(forgetUnfinished(kept));
+  const fs::path done = folder.put("done", "old");
+  fs::create_hard_link(done, folder / "third");
+  noteReplaced(done, folder / "third");
+  writeFile(done, "new");
+  forgetUnfinished(done);
+  for (int n = 0; n < 600; ++n) noteUnfinished(folder / std::to_string(n));
+  for (int n = 0; n < 600; ++n) writeFile(folder / std::to_string(n), "whole");
+
+  removeUnfinished();
+
+  std::set<std::string> left;
+  for (const auto& entry : fs::directory_iterator(folder.path())) {
+    left.insert(entry.path().filename());
+  }
+  EXPECT_EQ(left, (std::set<std::string>{"done", "kept", "others", "replaced", "third"}));
+  EXPECT_EQ(readFile(replaced), "old");
+  EXPECT_EQ(readFile(done), "new");
+}
+
 TEST(RemoveAbandoned, TakesWhatIsOldAndNobodys) {
   const TempFolder folder;
   const fs::path old = folder.put(nameAside(PartEnding), "half");
