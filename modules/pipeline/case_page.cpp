@@ -4,28 +4,24 @@
 
 #include "io/markup_text.h"
 #include "pipeline/detail/case_text.h"
+#include "pipeline/detail/page_style.h"
 
 namespace pneuma {
 namespace {
 
-constexpr const char* Style = R"(
-  :root { --ink: #1b2630; --soft: #5d6b78; --line: #d9dfe5; --good: #1f7a4d; --bad: #b3361b; }
-  body { font: 14px/1.45 "DejaVu Sans", "Liberation Sans", Arial, sans-serif; color: var(--ink);
-         max-width: 62em; margin: 2em auto; padding: 0 1.5em; }
+constexpr std::string_view Style = R"(
+  body { max-width: 62em; }
   h1 { font-size: 1.6em; margin: 0; } h2 { font-size: 1.1em; margin: 1.6em 0 .4em; }
-  header { border-bottom: 2px solid var(--ink); padding-bottom: .7em; }
   header p, footer, .soft { color: var(--soft); margin: .2em 0; }
   .pictures { display: grid; grid-template-columns: repeat(4, 1fr); gap: .6em; margin-top: 1em; }
-  figure { margin: 0; } img { width: 100%; border: 1px solid var(--line); border-radius: 4px; }
-  figcaption { font-size: .85em; color: var(--soft); text-align: center; }
+  img { border-radius: 4px; } figcaption { text-align: center; }
   table { border-collapse: collapse; width: 100%; }
   th { text-align: left; font-weight: 600; border-bottom: 1px solid var(--ink); }
   td, th { padding: .22em .6em .22em 0; vertical-align: top; }
   td { border-bottom: 1px solid var(--line); }
   td.n, th.n { text-align: right; font-variant-numeric: tabular-nums; }
-  .good { color: var(--good); } .bad { color: var(--bad); font-weight: 600; }
   .columns { display: grid; grid-template-columns: 1fr 1fr; gap: 0 2.5em; }
-  code { font: .9em "DejaVu Sans Mono", monospace; overflow-wrap: anywhere; }
+  code { overflow-wrap: anywhere; }
   footer { border-top: 1px solid var(--line); margin-top: 2em; padding-top: .6em; font-size: .85em; }
   @media print { body { font-size: 9.5pt; margin: 0; max-width: none; padding: 0; }
                  h2, tr, figure { break-inside: avoid; } @page { size: A4; margin: 14mm; } }
@@ -190,7 +186,7 @@ std::string casePage(const Json& report, const std::vector<PagePicture>& picture
   const std::string name =
       report.at("case").is_string() ? report.at("case").get<std::string>() : "Lung report";
   std::string text = "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n" +
-                     element("title", markupEscaped(name)) + "\n" + element("style", Style) +
+                     element("title", markupEscaped(name)) + "\n" + element("style", std::string(PageStyle).append(Style)) +
                      "</head><body>\n<header>" + element("h1", markupEscaped(name)) +
                      element("p", "Pneuma " + markupEscaped(version) +
                                       " &middot; research use only, not a medical device") +

@@ -3,25 +3,19 @@
 #include <algorithm>
 
 #include "io/markup_text.h"
+#include "pipeline/detail/page_style.h"
 #include "pipeline/figure_table.h"
 #include "pipeline/report.h"
 
 namespace pneuma {
 namespace {
 
-constexpr const char* PageStyle = R"(
-  :root { --ink: #1b2630; --soft: #5d6b78; --line: #d9dfe5; --good: #1f7a4d; --bad: #b3361b; }
-  body { font: 14px/1.45 "DejaVu Sans", "Liberation Sans", Arial, sans-serif; color: var(--ink);
-         max-width: 100em; margin: 2em auto; padding: 0 1.5em; }
+constexpr std::string_view OwnStyle = R"(
+  body { max-width: 100em; }
   h1 { font-size: 1.5em; margin: 0 0 .2em; } h2 { font-size: 1.05em; margin: 0; }
-  header { border-bottom: 2px solid var(--ink); padding-bottom: .7em; }
-  p { margin: .2em 0; } .soft { color: var(--soft); }
-  .good { color: var(--good); } .bad { color: var(--bad); font-weight: 600; }
+  p { margin: .2em 0; } code { color: var(--soft); }
   section { border-bottom: 1px solid var(--line); padding: .8em 0; }
   .three { display: grid; grid-template-columns: repeat(3, 1fr); gap: .6em; margin-top: .4em; }
-  figure { margin: 0; } img { width: 100%; border: 1px solid var(--line); }
-  figcaption { font-size: .85em; color: var(--soft); }
-  code { font: .9em "DejaVu Sans Mono", monospace; color: var(--soft); }
 )";
 
 std::string figureOf(const std::string& file, const char* caption) {
@@ -111,7 +105,7 @@ std::string regressPage(const PictureList& list, std::span<const ComparedPicture
   std::string text =
       "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n"
       "<title>Pictures drawn again</title>\n<style>" +
-      std::string(PageStyle) + "</style></head>\n<body><header><h1>Pictures drawn again</h1>\n" +
+      std::string(PageStyle).append(OwnStyle) + "</style></head>\n<body><header><h1>Pictures drawn again</h1>\n" +
       "<p class=\"" + (same == pictures.size() ? "good" : "bad") + "\">" + std::to_string(same) +
       " of " + std::to_string(pictures.size()) + " look as their references do</p>\n" +
       "<p class=\"soft\">" + markupEscaped(list.file.string()) + ", pneuma " + versionText() +

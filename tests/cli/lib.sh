@@ -41,14 +41,18 @@ refuses() {
   [ "$before" = "$after" ] || fail "files came or went: $(diff <(echo "$before") <(echo "$after"))"
 }
 
-# succeeds NAME ARGUMENT...: the program ends with 0; standard output is in $logs/out.
-succeeds() {
+# ends NAME CODE ARGUMENT...: the program ends with CODE; what it says is in $logs/out and $logs/err.
+ends() {
   caseName=$1
-  shift
+  local wanted=$2
+  shift 2
   cases=$((cases + 1))
   run "$@"
-  [ "$code" -eq 0 ] || fail "exit code $code"
+  [ "$code" -eq "$wanted" ] || fail "exit code $code, not $wanted"
 }
+
+# succeeds NAME ARGUMENT...: the program ends with 0; standard output is in $logs/out.
+succeeds() { ends "$1" 0 "${@:2}"; }
 
 # expect TEXT COMMAND...: COMMAND must succeed.
 expect() {

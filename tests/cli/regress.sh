@@ -12,15 +12,6 @@ list() {
   for picture in "$@"; do text+=${text:+,}$picture; done
   echo "{\"schema\": \"pneuma/pictures/1\", \"size\": \"120x90\", \"pictures\": [$text]}" >"$file"
 }
-# ends NAME CODE ARGUMENT...: the program ends with CODE.
-ends() {
-  caseName=$1
-  local wanted=$2
-  shift 2
-  cases=$((cases + 1))
-  run "$@"
-  [ "$code" -eq "$wanted" ] || fail "exit code $code, not $wanted"
-}
 
 mkdir kept
 fiveBalls kept/lobes

@@ -14,12 +14,7 @@ cd out || exit 1
 
 # does NAME CODE COMMAND...: what it prints is kept, to be looked through.
 does() {
-  caseName=$1
-  local wanted=$2
-  shift 2
-  cases=$((cases + 1))
-  run "$@"
-  [ "$code" -eq "$wanted" ] || fail "exit code $code, not $wanted"
+  ends "$@"
   cat "$logs/out" "$logs/err" >>"printed.$printed"
 }
 printed=person # what names the person's folder, as it was typed
