@@ -137,7 +137,11 @@ function(pneuma_add_test name)
     # One process for all cases: starting an X server for each would cost more than the cases.
     add_test(NAME ${name} COMMAND ${PNEUMA_XVFB_RUN} -a -s "-screen 0 1600x1000x24"
                                   $<TARGET_FILE:${target}>)
-    set_tests_properties(${name} PROPERTIES LABELS "${name};render;${arg_LABELS}" TIMEOUT 600
+    set(most 600)
+    if(PNEUMA_FULL_TESTS) # more actions and cycles
+      set(most 7200)
+    endif()
+    set_tests_properties(${name} PROPERTIES LABELS "${name};render;${arg_LABELS}" TIMEOUT ${most}
                          ENVIRONMENT "${PNEUMA_TEST_ENVIRONMENT}")
   else()
     include(GoogleTest)

@@ -6,7 +6,8 @@
 #   packaging/test.sh           what CI runs
 #   packaging/test.sh --full    that and the rest, some hours: every damaged file, every fault, three runs of everything
 #                               for each number of threads, commands of the pages as they stand, 1,000 actions by
-#                               chance, and all of it again under sanitizers
+#                               chance, a window opened and closed 200 times, all of it again under sanitizers,
+#                               and a minute of fuzzing for each format
 set -euo pipefail
 full=
 case ${1:-} in
@@ -81,7 +82,7 @@ if [[ -z $full ]]; then
   summary build/release/tests.log
   exit
 fi
-export FULL=1 RUNS=3 KILLS=200 PNEUMA_MONKEY_ACTIONS=1000
+export FULL=1 RUNS=3 KILLS=200 PNEUMA_MONKEY_ACTIONS=1000 PNEUMA_SOAK_CYCLES=200
 ctest --preset release --no-label-summary --timeout 14400 --output-log build/release/tests.log
 summary build/release/tests.log
 
@@ -92,3 +93,10 @@ cmake --workflow --preset asan
 
 step "Thread sanitizer"
 cmake --workflow --preset tsan
+
+step "Fuzzing"
+if command -v clang++-19 >/dev/null; then
+  cmake --workflow --preset fuzz
+else
+  echo "clang 19 is not installed; nothing is fuzzed"
+fi
