@@ -149,8 +149,8 @@ OutputSet::Aside::Aside(const fs::path& folder) : path_(folder / nameAside(Stage
 
 OutputSet::Aside::~Aside() {
   std::error_code ignored;
-  for (const auto& [file, second] : files_) {
-    if (!second.empty()) forgetUnfinished(file);
+  for (const Kept& kept : files_) {
+    if (kept.noted) forgetUnfinished(kept.file);
   }
   fs::remove_all(path_, ignored);
   forgetUnfinished(path_);
@@ -161,14 +161,16 @@ void OutputSet::Aside::keep(const fs::path& file) {
   const fs::path second = path_ / std::to_string(files_.size());
   std::error_code error;  // disks without hard links: then it is replaced for good
   fs::create_hard_link(file, second, error);
-  if (!error) noteReplaced(file, second);
-  files_.emplace_back(file, error ? fs::path() : second);
+  if (!error) files_.push_back({file, second, noteReplaced(file, second)});
 }
 
 void OutputSet::Aside::bringBack() {
   std::error_code ignored;
-  for (auto file = files_.rbegin(); file != files_.rend(); ++file) {
-    if (!file->second.empty()) fs::rename(file->second, file->first, ignored);
+  for (auto kept = files_.rbegin(); kept != files_.rend(); ++kept) {
+    // What another program has put there meanwhile stays.
+    const bool ours = !kept->noted || forgetUnfinished(kept->file);
+    kept->noted = false;
+    if (ours) fs::rename(kept->second, kept->file, ignored);
   }
 }
 

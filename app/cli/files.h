@@ -4,7 +4,6 @@
 #include <map>
 #include <span>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "io/atomic_file.h"
@@ -73,8 +72,14 @@ class OutputSet {
    private:
     std::filesystem::path path_;
     int lock_ = -1;
-    /// A file and its second name, which is empty where there is none.
-    std::vector<std::pair<std::filesystem::path, std::filesystem::path>> files_;
+
+    struct Kept {
+      std::filesystem::path file;
+      std::filesystem::path second;
+      bool noted = false;  ///< see noteReplaced()
+    };
+
+    std::vector<Kept> files_;
   };
 
   std::vector<std::filesystem::path> added_;

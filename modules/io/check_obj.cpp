@@ -78,6 +78,9 @@ class ObjCheck {
         throw wrong("counts points backwards (" + std::to_string(*index) + "), which is not read");
       }
       const bool leftOut = field == 1 && text.empty() && end != std::string_view::npos;
+      if (field > 0 && text.empty() && !leftOut) {
+        throw wrong("ends a corner with a slash; leave such slashes out");
+      }
       if (index.value_or(0) == 0 && !leftOut) {
         throw wrong("names a point that is none: \"" + std::string(all) + "\"");
       }

@@ -109,7 +109,7 @@ class PlyCheck {
       const std::vector<std::string_view> fields = words(line);
       if (fields.empty()) throw damaged("it has an empty line in its header");
       if (line.find('\0') != std::string_view::npos) throw damaged("its header is not text");
-      if (line == "end_header" || line == "end_header\r") break;
+      if (fields[0] == "end_header" && fields.size() == 1) break;
       if (fields[0] == "comment") {
         if (head_.space.empty()) head_.space = spaceIn(line);
       } else if (fields[0] == "format" && fields.size() == 3 && format_.empty()) {

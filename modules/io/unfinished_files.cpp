@@ -122,7 +122,7 @@ void removeUnfinished() noexcept {
   // Whoever holds it may be the thread that has to end.
   const bool locked = noted.mutex.try_lock();
   for (const Note* note = noted.first; note != nullptr; note = note->next) {
-    if (note->path[0] == '\0' || note->before[0] == '\0') continue;
+    if (note->path[0] == '\0' || note->before[0] == '\0' || !note->ours) continue;
     ::rename(note->before.data(), note->path.data());
   }
   // Twice, for folders that have to be empty first. What is in others than those aside is not ours.
@@ -147,10 +147,12 @@ void noteUnfinished(const fs::path& path) noexcept {
   newNote(path);
 }
 
-void noteReplaced(const fs::path& path, const fs::path& before) noexcept {
-  if (!fits(path) || !fits(before)) return;
+bool noteReplaced(const fs::path& path, const fs::path& before) noexcept {
+  if (!fits(path) || !fits(before)) return false;
   const std::lock_guard lock(noted.mutex);
-  if (Note* note = newNote(path)) put(note->before, before);
+  Note* note = newNote(path);
+  if (note != nullptr) put(note->before, before);
+  return note != nullptr;
 }
 
 void notePlaced(const fs::path& path) noexcept {

@@ -14,8 +14,9 @@ void removeUnfinished() noexcept;
 /// its name now is of this process. Not noted where there is no memory for it.
 void noteUnfinished(const std::filesystem::path& path) noexcept;
 
-/// A file that is being replaced: removeUnfinished() puts it back from its second name, `before`.
-void noteReplaced(const std::filesystem::path& path, const std::filesystem::path& before) noexcept;
+/// A file that is being replaced: removeUnfinished() puts it back from its second name, `before`,
+/// once notePlaced() says that it was replaced. False if there is no memory for it.
+bool noteReplaced(const std::filesystem::path& path, const std::filesystem::path& before) noexcept;
 
 /// This process has put a file or a folder there. Nothing if the path was not noted.
 void notePlaced(const std::filesystem::path& path) noexcept;

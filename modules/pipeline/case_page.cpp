@@ -186,7 +186,8 @@ std::string casePage(const Json& report, const std::vector<PagePicture>& picture
   const std::string name =
       report.at("case").is_string() ? report.at("case").get<std::string>() : "Lung report";
   std::string text = "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n" +
-                     element("title", markupEscaped(name)) + "\n" + element("style", std::string(PageStyle).append(Style)) +
+                     element("title", markupEscaped(name)) + "\n" +
+                     element("style", std::string(PageStyle).append(Style)) +
                      "</head><body>\n<header>" + element("h1", markupEscaped(name)) +
                      element("p", "Pneuma " + markupEscaped(version) +
                                       " &middot; research use only, not a medical device") +

@@ -105,9 +105,10 @@ std::string regressPage(const PictureList& list, std::span<const ComparedPicture
   std::string text =
       "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n"
       "<title>Pictures drawn again</title>\n<style>" +
-      std::string(PageStyle).append(OwnStyle) + "</style></head>\n<body><header><h1>Pictures drawn again</h1>\n" +
-      "<p class=\"" + (same == pictures.size() ? "good" : "bad") + "\">" + std::to_string(same) +
-      " of " + std::to_string(pictures.size()) + " look as their references do</p>\n" +
+      std::string(PageStyle).append(OwnStyle) +
+      "</style></head>\n<body><header><h1>Pictures drawn again</h1>\n" + "<p class=\"" +
+      (same == pictures.size() ? "good" : "bad") + "\">" + std::to_string(same) + " of " +
+      std::to_string(pictures.size()) + " look as their references do</p>\n" +
       "<p class=\"soft\">" + markupEscaped(list.file.string()) + ", pneuma " + versionText() +
       " (" + commitText() +
       "). A difference is 0 for equal pictures and 1 for pictures that have " +

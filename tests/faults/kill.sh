@@ -124,7 +124,8 @@ killedAt() {
 }
 
 # goesOn NAME ARGUMENT...: what is killed at any call, into a new folder, can be done again as it stands: nobody is told
-# to use --force for files that were left there. Likewise over what another run of its own left (twice).
+# to use --force for files that were left there. Likewise over what another run of its own left, of which it keeps the
+# first stages; and after a third one that keeps some of them.
 goesOn() {
   local name=$1 kind n state
   shift
@@ -133,19 +134,22 @@ goesOn() {
   reference "$name" "$@"
   killed=0
   for kind in open write sync rename; do
-    prepare fresh
-    counted $kind FAULT_AT=0 -- "$@"
-    for n in $(picks "$calls" "$((2 * most))"); do
-      for state in fresh again; do
+    for state in fresh again; do
+      prepare fresh
+      [ $state = fresh ] || run "${@//recipe.json/recipe-trees.json}"
+      cp -r out "$logs/before"
+      counted $kind FAULT_AT=0 -- "$@"
+      for n in $(picks "$calls" "$((2 * most))"); do
         caseName="$name: killed at $kind $n ($state)"
         cases=$((cases + 1))
-        prepare fresh
-        if [ $state = again ]; then
-          run "${@//recipe.json/recipe-other.json}"
-          [ "$code" -eq 0 ] || fail "the run before ended with $code"
-        fi
+        rm -rf out
+        cp -r "$logs/before" out
         counted $kind FAULT_AT="$n" FAULT_SIGNAL=9 -- "$@" 2>/dev/null
         [ "$code" -eq 137 ] && killed=$((killed + 1))
+        if [ $((n % 2)) -eq 0 ]; then
+          run "${@//recipe.json/recipe-lobes.json}"
+          [ "$code" -eq 0 ] || fail "another recipe after it ends with $code"
+        fi
         caseName="$name: done again after a kill at $kind $n ($state)"
         run "$@"
         [ "$code" -eq 0 ] || fail "exit code $code"
@@ -155,6 +159,7 @@ goesOn() {
         find out -name '.pneuma-*' -prune -exec rm -r {} +
         [ "$(cd out && find . -type f | sort)" = "$names" ] || fail "other files: $(cd out && find . -type f | sort)"
       done
+      rm -rf "$logs/before"
     done
   done
   [ "$killed" -gt 0 ] || fail "nothing was killed"
@@ -167,6 +172,7 @@ killedAt "exporting for ParaView" $((kills / 5)) export in/breathing.pneuma --pr
 killedAt "exporting a surface" $((kills / 10)) export in/chest/rul.stl -o out/rul.vtp -f -q
 killedAt "exporting an animation" $((kills / 10)) export in/breathing.pneuma --preset share -o out -f -q
 killedAt "growing" $((kills / 10)) grow in/ball.obj --method centroid --terminals 30 -o out/tree.vtp --report out/r.json -f -q
-sed -e 's/"spacing": 8/"spacing": 9/' -e 's/"terminals": 30/"terminals": 20/' in/recipe.json >in/recipe-other.json
+sed 's/"terminals": 30/"terminals": 20/' in/recipe.json >in/recipe-trees.json
+sed 's/"spacing": 8/"spacing": 9/' in/recipe.json >in/recipe-lobes.json
 goesOn "running into a folder" run in/recipe.json -o out/case -q
 finish

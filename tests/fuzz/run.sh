@@ -7,7 +7,9 @@ export LC_ALL=C
 mkdir -p "$2"
 fuzzer=$(realpath "$1") folder=$(realpath "$2") format=$3 seconds=$4
 findings=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)/findings/$format
-mkdir -p "$folder/kept/$format" "$findings"
+mkdir -p "$folder/kept/$format"
+corpora=(kept/"$format" seeds/"$format")
+[[ ! -d $findings ]] || corpora+=("$findings")
 cd "$folder"
 memory=${TMPDIR:-/tmp}
 [[ -w /dev/shm ]] && memory=/dev/shm
@@ -18,7 +20,7 @@ status=0
 # Leaks are looked for once, at the end of each run: VTK keeps factories and dictionaries until then.
 PNEUMA_FUZZ=$format PNEUMA_FUZZ_PROJECT=$PWD/seeds/case.pneuma TMPDIR=$work \
   "$fuzzer" -max_total_time="$seconds" -max_len=8192 -timeout=5 -rss_limit_mb=2048 -malloc_limit_mb=1024 \
-  -print_final_stats=1 -artifact_prefix="$format-" kept/"$format" seeds/"$format" "$findings" >"$format.log" 2>&1 || status=$?
+  -print_final_stats=1 -artifact_prefix="$format-" "${corpora[@]}" >"$format.log" 2>&1 || status=$?
 if ((status != 0)); then
   tail -n 60 "$format.log" >&2
 fi

@@ -75,6 +75,18 @@ TEST_F(DicomNesting, OfEveryFormIsTaken) {
   EXPECT_EQ(faultOf("OB", tagText(0xFFFEE000) + "abcd", false), "");
   EXPECT_EQ(faultOf("OB", implicitElement(0xFFFEE000, "abcd") + SequenceEnd, true), "");
   EXPECT_EQ(listDicomSeries(file_).size(), 1U);
+  // Unknown things of a known length, whatever they begin with.
+  EXPECT_EQ(faultOf("UN", tagText(0xFFFEE000) + "abcdefgh", false), "");
+  const std::string explicitInside = tagText(0x00080100) + "SH" + little(6, 2) + "CODE  ";
+  EXPECT_EQ(faultOf("UN", implicitElement(0xFFFEE000, explicitInside), false), "");
+  EXPECT_EQ(faultOf("SQ", SequenceEnd, false), "");
+  EXPECT_EQ(faultOf("SQ", implicitElement(0xFFFEE000, "") + ItemEnd + SequenceEnd, true), "");
+  // What follows the pixels, such as padding of a tape.
+  for (const std::string& padding :
+       {std::string(9, ' '), std::string(512, '\0'), std::string("end")}) {
+    writeFile(file_, DicomMaker().bytes() + padding);
+    EXPECT_EQ(nestingFault(file_), "") << padding.size();
+  }
 }
 
 TEST_F(DicomNesting, ThatLiesIsTold) {
@@ -90,6 +102,19 @@ TEST_F(DicomNesting, ThatLiesIsTold) {
   EXPECT_THAT(faultOf("UN", implicitElement(0xFFFEE000, 10, text) + SequenceEnd, true),
               HasSubstr("longer than"));
   EXPECT_THROW(readCt(file_), InvalidInput);
+  EXPECT_THAT(faultOf("SQ", SequenceEnd + SequenceEnd, false), HasSubstr("longer than it says"));
+  const std::string written("1.2.840.10008.1.2.1\0", 20);
+  std::string bytes = DicomMaker().bytes();
+  const std::size_t at = bytes.find(written);
+  ASSERT_NE(at, std::string::npos);
+  bytes[at + 3] = '\1';
+  writeFile(file_, bytes);
+  EXPECT_THAT(nestingFault(file_), HasSubstr("transfer syntax"));
+  bytes.replace(at, written.size(), "1.2.840.10008.1.2.1.99");
+  bytes[at - 2] = 22;
+  bytes[132 + 8] = static_cast<char>(bytes[132 + 8] + 2);  // the group's length
+  writeFile(file_, bytes);
+  EXPECT_THAT(nestingFault(file_), HasSubstr("deflated as a whole"));
 }
 
 TEST_F(DicomNesting, ThatIsTooDeepIsTold) {

@@ -24,6 +24,13 @@ struct Unsound : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+struct Deflated {};
+
+/// The file ends in the middle of something: outside of sequences the parser just stops there.
+struct CutOff : Unsound {
+  using Unsound::Unsound;
+};
+
 /// How elements are written.
 struct Form {
   bool isImplicit = false;
@@ -32,9 +39,9 @@ struct Form {
 
 struct Head {
   std::uint32_t tag = 0;
-  vtkDICOMVR vr;             ///< as written, or of the dictionary
-  bool saysUnknown = false;  ///< it is written, as UN
+  vtkDICOMVR vr;  ///< as written, or of the dictionary
   std::uint32_t length = 0;
+  Form inner;  ///< of elements in it
 };
 
 /// Who has which private elements of a data set: the text of element (gggg,00bb) by gggg00bb.
@@ -55,11 +62,17 @@ std::string withoutPadding(std::string text) {
 vtkDICOMVR knownVr(std::uint32_t tag, const Creators& creators) {
   const vtkDICOMTag key(static_cast<unsigned short>(tag >> 16),
                         static_cast<unsigned short>(tag & 0xFFFF));
-  const auto creator = creators.find((tag & 0xFFFF0000) | (tag >> 8 & 0xFF));
-  const vtkDICOMVR vr =
-      isPrivate(tag) && creator != creators.end()
-          ? vtkDICOMDictionary::FindDictEntry(key, creator->second.c_str()).GetVR()
-          : vtkDICOMDictionary::FindDictEntry(key).GetVR();
+  if (const auto creator = creators.find((tag & 0xFFFF0000) | (tag >> 8 & 0xFF));
+      isPrivate(tag) && creator != creators.end()) {
+    const vtkDICOMTag inBlock(key.GetGroup(), static_cast<unsigned short>(tag & 0xFF));
+    for (const vtkDICOMTag& asked : {key, inBlock}) {
+      const vtkDICOMVR vr =
+          vtkDICOMDictionary::FindDictEntry(asked, creator->second.c_str()).GetVR();
+      if (vr.IsValid()) return vr;
+    }
+    return vtkDICOMVR(vtkDICOMVR::UN);
+  }
+  const vtkDICOMVR vr = vtkDICOMDictionary::FindDictEntry(key).GetVR();
   return vr.IsValid() ? vr : vtkDICOMVR(vtkDICOMVR::UN);
 }
 
@@ -68,6 +81,15 @@ class Walk {
   explicit Walk(const std::filesystem::path& path) : file_(path) {}
 
   void run() {
+    try {
+      elements();
+    } catch (const CutOff&) {
+      if (depth_ > 0) throw;
+    }
+  }
+
+ private:
+  void elements() {
     if (startsWith(128, "DICM")) {
       at_ = 132;
     } else if (startsWith(0, "DICM")) {
@@ -80,6 +102,8 @@ class Walk {
       form.isImplicit = true;
     } else if (syntax == "1.2.840.10008.1.2.2") {
       form.isBigEndian = true;
+    } else if (syntax == "1.2.840.10008.1.2.1.99") {
+      throw Deflated();
     } else if (syntax.empty() && left() >= HeadBytes) {
       form.isBigEndian = byte(at_) == 0x00 && byte(at_ + 1) == 0x08;
       form.isImplicit = !vrAt(at_ + 4).IsValid();
@@ -89,14 +113,13 @@ class Walk {
     }
   }
 
- private:
   std::uint64_t left() const { return at_ < file_.size() ? file_.size() - at_ : 0; }
 
   unsigned char byte(std::uint64_t at) {
     if (at < begin_ || at >= begin_ + filled_) {
       begin_ = at;
       filled_ = file_.read(window_, at);
-      if (filled_ == 0) throw Unsound("is cut off");
+      if (filled_ == 0) throw CutOff("is cut off");
     }
     return static_cast<unsigned char>(window_[at - begin_]);
   }
@@ -170,11 +193,11 @@ class Walk {
       head.length = number(at_, 4, form.isBigEndian);
       if ((head.tag & 0xFFFF) == 0) head.length = 4;  // in some files it is wrong
       head.vr = knownVr(head.tag, creators);
+      head.inner = form.isImplicit || head.vr != vtkDICOMVR::UN ? form : Form{true, false};
       at_ += 4;
       return head;
     }
     head.vr = vrAt(at_);
-    head.saysUnknown = head.vr == vtkDICOMVR::UN;
     head.length = number(at_ + 2, 2, form.isBigEndian);
     bool isLong = true;
     if (!head.vr.IsValid()) {
@@ -185,10 +208,14 @@ class Walk {
     }
     at_ += 4;
     if (isLong && head.vr.HasLongVL()) {
-      if (left() < 4) throw Unsound("is cut off");
+      if (left() < 4) throw CutOff("is cut off");
       head.length = number(at_, 4, form.isBigEndian);
       at_ += 4;
     }
+    // What is written as unknown may be known all the same; it is implicit inside (PS3.5, 6.2.2).
+    const bool isUnknown = head.vr == vtkDICOMVR::UN;
+    head.inner = isUnknown ? Form{true, false} : form;
+    if (isUnknown) head.vr = knownVr(head.tag, creators);
     return head;
   }
 
@@ -203,7 +230,7 @@ class Walk {
       if (head.vr == vtkDICOMVR::OB) {
         fragments(form);
       } else if (head.vr == vtkDICOMVR::SQ || head.vr == vtkDICOMVR::UN) {
-        items(dicom::UndefinedLength, innerForm(head, form), depth + 1);
+        items(head, depth + 1);
       } else {
         throw Unsound("has an element of no length");
       }
@@ -213,30 +240,16 @@ class Walk {
       if (depth == 0) return false;
       throw Unsound("has an element that is longer than the file");
     }
-    const bool holdsItems = head.vr == vtkDICOMVR::SQ || head.vr == vtkDICOMVR::UN;
-    const Form inner = innerForm(head, form);
-    const std::uint32_t first =
-        head.length >= HeadBytes ? tagAt(at_, inner.isBigEndian) : std::uint32_t{0};
-    if (head.vr == vtkDICOMVR::SQ && head.length > 0 && head.length < HeadBytes) {
-      throw Unsound("has a sequence that ends early");
+    if (head.vr == vtkDICOMVR::SQ && head.length > 0) {
+      if (head.length < HeadBytes) throw Unsound("has a sequence that ends early");
+      items(head, depth + 1);
+      return true;
     }
-    if (holdsItems && first == dicom::SequenceEnd) {
-      throw Unsound("has a sequence that is longer than it says");
+    if (isCreator(head.tag)) {
+      creators[head.tag] = withoutPadding(textAt(at_, std::min(head.length, 256U)));
     }
-    if (holdsItems && first == dicom::Item) {
-      items(head.length, inner, depth + 1);
-    } else {
-      if (isCreator(head.tag))
-        creators[head.tag] = withoutPadding(textAt(at_, std::min(head.length, 256U)));
-      at_ += head.length;
-    }
+    at_ += head.length;
     return true;
-  }
-
-  /// What is unknown is implicit inside (PS3.5, 6.2.2).
-  static Form innerForm(const Head& head, const Form& form) {
-    const bool isUnknown = head.saysUnknown || head.vr == vtkDICOMVR::UN;
-    return isUnknown && !form.isImplicit ? Form{true, false} : form;
   }
 
   bool pixels(const Head& head, const Form& form) {
@@ -271,25 +284,30 @@ class Walk {
     }
   }
 
-  void items(std::uint32_t length, const Form& form, int depth) {
+  void items(const Head& head, int depth) {
     if (depth > dicom::MostNested) throw Unsound("has sequences in sequences, too deep");
+    depth_ = depth;
     const std::optional<std::uint64_t> end =
-        length == dicom::UndefinedLength ? std::nullopt : std::optional(at_ + length);
+        head.length == dicom::UndefinedLength ? std::nullopt : std::optional(at_ + head.length);
     while (!end || at_ < *end) {
-      const std::uint32_t tag = takeTag(form);
-      const std::uint32_t size = takeLength(form);
+      const std::uint32_t tag = takeTag(head.inner);
+      const std::uint32_t size = takeLength(head.inner);
       if (tag == dicom::SequenceEnd) break;
       if (tag != dicom::Item) {
-        if (!end) throw Unsound("has a sequence of something else than items");
-        at_ = *end;  // as the parser does
-        return;
+        // The parser leaves a sequence there, but not what is unknown.
+        if (!end && head.vr != vtkDICOMVR::SQ) {
+          throw Unsound("has a sequence of something else than items");
+        }
+        if (end) at_ = *end;
+        break;
       }
       if (size != dicom::UndefinedLength && (size > left() || (end && at_ + size > *end))) {
         throw Unsound("has an item that is longer than its sequence");
       }
-      item(size, form, depth);
+      item(size, head.inner, depth);
     }
     if (end && at_ != *end) throw Unsound("has a sequence that is longer than it says");
+    depth_ = depth - 1;
   }
 
   void item(std::uint32_t size, const Form& form, int depth) {
@@ -297,7 +315,7 @@ class Walk {
         size == dicom::UndefinedLength ? std::nullopt : std::optional(at_ + size);
     Creators creators;
     while (!end || at_ < *end) {
-      if (left() < HeadBytes) throw Unsound("is cut off");
+      if (left() < HeadBytes) throw CutOff("is cut off");
       if (tagAt(at_, form.isBigEndian) == dicom::ItemEnd) {
         at_ += HeadBytes;
         break;
@@ -308,7 +326,7 @@ class Walk {
   }
 
   std::uint32_t takeTag(const Form& form) {
-    if (left() < HeadBytes) throw Unsound("is cut off");
+    if (left() < HeadBytes) throw CutOff("is cut off");
     at_ += 4;
     return tagAt(at_ - 4, form.isBigEndian);
   }
@@ -323,6 +341,7 @@ class Walk {
   std::uint64_t begin_ = 0;
   std::size_t filled_ = 0;
   std::uint64_t at_ = 0;
+  int depth_ = 0;  ///< of the sequences that are being followed
 };
 
 }  // namespace
@@ -331,6 +350,9 @@ std::string nestingFault(const std::filesystem::path& file) {
   try {
     Walk(file).run();
     return "";
+  } catch (const Deflated&) {
+    return "is deflated as a whole, which is not supported; convert it, for example with gdcmconv "
+           "--raw";
   } catch (const Unsound& fault) {
     return std::string(fault.what()) + ", or is damaged; copy it again from its source";
   }

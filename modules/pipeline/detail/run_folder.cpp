@@ -39,6 +39,11 @@ Json stagesIn(const std::filesystem::path& path) {
   return sound ? state["stages"] : Json::object();
 }
 
+bool isListed(const Json& stages, const std::string& file) {
+  return std::ranges::any_of(stages,
+                             [&](const Json& stage) { return stage["files"].contains(file); });
+}
+
 std::string stateText(const Json& stages) {
   return textOf(Json{{"schema", StateSchema}, {"stages", stages}});
 }
@@ -108,10 +113,8 @@ void RunFolder::refuse(const std::string& file, const std::string& why) const {
 void RunFolder::requireOwn(const std::vector<std::string>& files) {
   for (const std::string& file : files) {
     if (!isThere(path_ / file) || isOwn(file)) continue;
-    const bool listed = std::ranges::any_of(
-        before_, [&](const Json& stage) { return stage["files"].contains(file); });
-    refuse(file, listed ? "was changed since a run left it there"
-                        : "is there already and was not left by a run");
+    refuse(file, isListed(before_, file) ? "was changed since a run left it there"
+                                         : "is there already and was not left by a run");
   }
   if (before_.empty() && isThere(path_ / run_files::State)) {
     refuse(run_files::State, "was not left by a run");
@@ -143,7 +146,8 @@ std::vector<std::string> RunFolder::takeOutdated(Stage stage,
   const auto take = [&](const std::string& of) {
     if (!before_.contains(of)) return;
     for (const auto& [file, hash] : before_[of]["files"].items()) {
-      if (std::ranges::find(anew, file) == anew.end() && isOwn(file)) outdated.push_back(file);
+      const bool stays = std::ranges::find(anew, file) != anew.end() || isListed(now_, file);
+      if (!stays && hash == Json(hashOf(file))) outdated.push_back(file);
     }
     before_.erase(of);
   };
@@ -163,7 +167,6 @@ void RunFolder::place(StagedFolder& staged, const StageResult& result, const std
   meanwhile.update(now_);
   meanwhile[Placing] = entry;
   now_[name(result.stage)] = std::move(entry);
-  writeFile(staged.path() / run_files::State, stateText(now_));
   Announced announced(path_ / run_files::State, stateText(meanwhile));
   const std::vector<std::string> outdated = takeOutdated(result.stage, result.files);
   staged.keep(Existing::Replace);
@@ -176,6 +179,8 @@ void RunFolder::place(StagedFolder& staged, const StageResult& result, const std
       std::filesystem::remove(path.parent_path(), ignored);  // unless there is something in it
     }
   }
+  // Last, so that whenever it ends before, run.json tells of all files that may be there.
+  writeFile(path_ / run_files::State, stateText(now_));
 }
 
 bool RunFolder::left(Stage stage, const std::string& file) const {

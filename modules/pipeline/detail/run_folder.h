@@ -31,10 +31,11 @@ class RunFolder {
   /// Takes over what the run before says of a stage.
   StageResult keep(Stage stage);
 
-  /// Moves what a stage wrote aside to its place, with a run.json that tells of it, and then
-  /// removes what else the run before left of this stage and of those after it. Until then, all of
-  /// that is there. Meanwhile run.json tells of the old files and of the new ones, so that a run
-  /// that is killed can be done again. @throws OutputFailed: nothing was changed
+  /// Moves what a stage wrote aside to its place, removes what else the run before left of this
+  /// stage and of those after it, and writes a run.json that tells of it. Until then run.json tells
+  /// of the old files and of the new ones, so that a run that is killed can be done again.
+  /// @throws OutputFailed: nothing was changed, unless it is run.json that cannot be written in the
+  /// end
   void place(StagedFolder& staged, const StageResult& result, const std::string& key);
 
   /// True if a stage, done now or kept, left this file.
