@@ -58,14 +58,16 @@ std::string withoutPadding(std::string text) {
   return text;
 }
 
-/// UN for what is not in the dictionary.
+/// UN for what is not in the dictionary, but for lengths of groups and names of creators.
 vtkDICOMVR knownVr(std::uint32_t tag, const Creators& creators) {
+  if ((tag & 0xFFFF) == 0) return vtkDICOMVR(vtkDICOMVR::UL);
+  if (isCreator(tag)) return vtkDICOMVR(vtkDICOMVR::LO);
   const vtkDICOMTag key(static_cast<unsigned short>(tag >> 16),
                         static_cast<unsigned short>(tag & 0xFFFF));
   if (const auto creator = creators.find((tag & 0xFFFF0000) | (tag >> 8 & 0xFF));
       isPrivate(tag) && creator != creators.end()) {
     const vtkDICOMTag inBlock(key.GetGroup(), static_cast<unsigned short>(tag & 0xFF));
-    for (const vtkDICOMTag& asked : {key, inBlock}) {
+    for (const vtkDICOMTag& asked : {inBlock, key}) {
       const vtkDICOMVR vr =
           vtkDICOMDictionary::FindDictEntry(asked, creator->second.c_str()).GetVR();
       if (vr.IsValid()) return vr;
@@ -73,6 +75,7 @@ vtkDICOMVR knownVr(std::uint32_t tag, const Creators& creators) {
     return vtkDICOMVR(vtkDICOMVR::UN);
   }
   const vtkDICOMVR vr = vtkDICOMDictionary::FindDictEntry(key).GetVR();
+  if (vr == vtkDICOMVR::OX) return vtkDICOMVR(vtkDICOMVR::OW);  // or OB: both have long lengths
   return vr.IsValid() ? vr : vtkDICOMVR(vtkDICOMVR::UN);
 }
 
