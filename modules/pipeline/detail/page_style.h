@@ -12,7 +12,7 @@ constexpr std::string_view PageStyle = R"(
   header { border-bottom: 2px solid var(--ink); padding-bottom: .7em; }
   .soft { color: var(--soft); }
   .good { color: var(--good); } .bad { color: var(--bad); font-weight: 600; }
-  figure { margin: 0; } img { width: 100%; border: 1px solid var(--line); }
+  figure { margin: 0; } img { box-sizing: border-box; width: 100%; border: 1px solid var(--line); }
   figcaption { font-size: .85em; color: var(--soft); }
   code { font: .9em "DejaVu Sans Mono", monospace; }
 )";
