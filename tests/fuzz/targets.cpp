@@ -6,7 +6,6 @@
 #include "core/error.h"
 #include "io/airway_table.h"
 #include "io/ct_file.h"
-#include "io/dicom_series.h"
 #include "io/fissure_file.h"
 #include "io/head_pose_file.h"
 #include "io/landmark_file.h"
@@ -37,7 +36,7 @@ void unlessRefused(const Read& read) {
   }
 }
 
-/// Intensities, labels and the header alone: what `info`, `segment` and `lobes` read of a volume.
+/// As intensities and as labels.
 void readAsVolume(const fs::path& path) {
   unlessRefused([&] { readCt(path); });
   unlessRefused([&] { readLabelVolume(path); });
