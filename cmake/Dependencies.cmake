@@ -16,7 +16,7 @@ if(NOT PNEUMA_CORE_ONLY)
   # Single modules, never ${VTK_LIBRARIES}: modules tainted by MPI break the NRRD reader.
   find_package(
     VTK 9.1 REQUIRED
-    COMPONENTS CommonColor CommonCore CommonDataModel CommonExecutionModel CommonMath CommonTransforms
+    COMPONENTS CommonColor CommonCore CommonDataModel CommonExecutionModel CommonMath CommonSystem CommonTransforms
                FiltersCore FiltersGeneral FiltersGeometry FiltersSources
                IOCore IOGeometry IOImage IOOggTheora IOPLY IOXML ImagingCore
                InteractionStyle RenderingCore RenderingFreeType RenderingOpenGL2)

@@ -13,6 +13,7 @@
 
 #include "render/font.h"
 #include "render/tube_mesh.h"
+#include "render/vtk_globals.h"
 
 namespace pneuma {
 namespace {
@@ -58,6 +59,7 @@ struct TextMask {
 /// As high for every text of one font.
 TextMask maskOf(const std::string& text, int fontPixels) {
   TextMask mask;
+  prepareVtk();
   vtkTextRenderer* renderer = vtkTextRenderer::GetInstance();
   if (renderer == nullptr || text.empty()) return mask;
   vtkNew<vtkTextProperty> property;

@@ -119,7 +119,7 @@ class Offscreen {
   }
 
  private:
-  const VtkMessages messages_;
+  VtkMessages messages_;
   vtkCamera& camera_;
   int width_;
   int height_;

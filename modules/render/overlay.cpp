@@ -11,6 +11,7 @@
 
 #include "render/font.h"
 #include "render/tube_mesh.h"
+#include "render/vtk_globals.h"
 
 namespace pneuma {
 namespace {
@@ -92,6 +93,7 @@ double Overlay::textWidth(const std::string& text, int fontPixels) {
   setFont(property, fontPixels);
   std::array<int, 4> box{};
   constexpr int LogicalDpi = 72;
+  prepareVtk();
   vtkTextRenderer* renderer = vtkTextRenderer::GetInstance();
   if (renderer == nullptr || !renderer->GetBoundingBox(property, text, box.data(), LogicalDpi)) {
     return 0.6 * fontPixels * static_cast<double>(text.size());

@@ -100,7 +100,7 @@ Picture pngPicture(const std::string& content, const std::string& name) {
     throw InvalidInput(name + " cannot be used: " + what);
   };
   if (const std::string what = damage(content); !what.empty()) throwDamaged(what);
-  const VtkMessages messages;
+  VtkMessages messages;
   vtkNew<vtkPNGReader> reader;
   reader->SetMemoryBuffer(content.data());
   reader->SetMemoryBufferLength(static_cast<vtkIdType>(content.size()));

@@ -25,6 +25,7 @@
 #include "render/preview_layer.h"
 #include "render/shell_layer.h"
 #include "render/surface_layer.h"
+#include "render/vtk_globals.h"
 
 namespace pneuma {
 namespace {
@@ -220,6 +221,7 @@ struct Scene::State {
 };
 
 Scene::Scene() : state_(std::make_unique<State>()) {
+  prepareVtk();
   vtkRenderer* renderer = state_->renderer;
   addLights(renderer);
   state_->passes = addPasses(renderer);

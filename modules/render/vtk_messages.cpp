@@ -1,5 +1,6 @@
 #include "render/vtk_messages.h"
 
+#include <mutex>
 #include <string>
 
 #include <vtkLogger.h>
@@ -10,30 +11,56 @@
 namespace pneuma {
 namespace {
 
-class SilentOutputWindow : public vtkOutputWindow {
+/// The youngest of this thread.
+thread_local VtkMessages* youngest = nullptr;
+
+}  // namespace
+
+/// Takes the errors of threads that ask for them, and passes on what others say.
+class VtkMessageSieve final : public vtkOutputWindow {
  public:
-  static SilentOutputWindow* New();
-  vtkTypeMacro(SilentOutputWindow, vtkOutputWindow);
+  static VtkMessageSieve* New();
+  vtkTypeMacro(VtkMessageSieve, vtkOutputWindow);
 
-  void DisplayText(const char*) override {}
-
-  void DisplayErrorText(const char* text) override {
-    if (firstError_.empty()) firstError_ = text;
+  /// Once for the whole process: VTK does not say what becomes of a window that is replaced while
+  /// another thread writes to it.
+  static void install() {
+    const auto sieve = vtkSmartPointer<VtkMessageSieve>::New();
+    sieve->behind_ = vtkOutputWindow::GetInstance();
+    vtkOutputWindow::SetInstance(sieve);
   }
 
-  void DisplayWarningText(const char*) override {}
+  void DisplayErrorText(const char* text) override {
+    if (youngest == nullptr) {
+      behind_->DisplayErrorText(text);
+    } else if (youngest->firstError_.empty()) {
+      youngest->firstError_ = text;
+    }
+  }
 
-  void DisplayGenericWarningText(const char*) override {}
+  void DisplayText(const char* text) override {
+    if (youngest == nullptr) behind_->DisplayText(text);
+  }
 
-  void DisplayDebugText(const char*) override {}
+  void DisplayWarningText(const char* text) override {
+    if (youngest == nullptr) behind_->DisplayWarningText(text);
+  }
 
-  const std::string& firstError() const { return firstError_; }
+  void DisplayGenericWarningText(const char* text) override {
+    if (youngest == nullptr) behind_->DisplayGenericWarningText(text);
+  }
+
+  void DisplayDebugText(const char* text) override {
+    if (youngest == nullptr) behind_->DisplayDebugText(text);
+  }
 
  private:
-  std::string firstError_;
+  vtkSmartPointer<vtkOutputWindow> behind_;
 };
 
-vtkStandardNewMacro(SilentOutputWindow);
+vtkStandardNewMacro(VtkMessageSieve);
+
+namespace {
 
 /// VTK's "ERROR: In file.cxx, line 1\nvtkClass (0x1): what happened\n\n" without all but the last.
 std::string sentence(const std::string& text) {
@@ -44,35 +71,45 @@ std::string sentence(const std::string& text) {
   return last == std::string::npos ? std::string() : result.substr(0, last + 1);
 }
 
-vtkSmartPointer<vtkOutputWindow>& before() {
-  static vtkSmartPointer<vtkOutputWindow> window;
-  return window;
-}
+/// VTK's logger prints errors besides; it is one for all threads.
+class Logger {
+ public:
+  void quiet() {
+    const std::lock_guard lock(mutex_);
+    ++living_;
+    vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
+  }
 
-bool silent = false;
+  void asBefore() {
+    const std::lock_guard lock(mutex_);
+    if (--living_ == 0) vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_INFO);  // its default
+  }
+
+ private:
+  std::mutex mutex_;
+  int living_ = 0;
+};
+
+Logger logger;
 
 }  // namespace
 
-void silenceVtk() {
-  silent = true;
-  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
-}
+void silenceVtk() { logger.quiet(); }
 
-VtkMessages::VtkMessages() {
-  before() = vtkOutputWindow::GetInstance();
-  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);  // it prints errors besides
-  vtkOutputWindow::SetInstance(vtkSmartPointer<SilentOutputWindow>::New());
+VtkMessages::VtkMessages() : older_(youngest) {
+  static std::once_flag installed;
+  std::call_once(installed, &VtkMessageSieve::install);
+  logger.quiet();
+  youngest = this;
 }
 
 VtkMessages::~VtkMessages() {
-  vtkOutputWindow::SetInstance(before());
-  before() = nullptr;
-  if (!silent) vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_INFO);  // VTK's default
+  VtkMessages** link = &youngest;
+  while (*link != nullptr && *link != this) link = &(*link)->older_;
+  if (*link == this) *link = older_;
+  logger.asBefore();
 }
 
-std::string VtkMessages::firstError() const {
-  const auto* window = SilentOutputWindow::SafeDownCast(vtkOutputWindow::GetInstance());
-  return window == nullptr ? std::string() : sentence(window->firstError());
-}
+std::string VtkMessages::firstError() const { return sentence(firstError_); }
 
 }  // namespace pneuma

@@ -8,8 +8,10 @@ namespace pneuma {
 /// whose errors are sentences.
 void silenceVtk();
 
-/// While it lives, VTK prints nothing: errors are kept for whoever asks, warnings are dropped.
-/// One at a time, on the thread that renders.
+/// While it lives, what VTK says on the same thread is not printed: errors are kept for whoever
+/// asks, warnings are dropped. What other threads say goes where it went before, but for what VTK's
+/// logger prints besides. Any number may live at a time; the youngest of a thread keeps its errors.
+/// It ends on the thread that made it.
 class VtkMessages {
  public:
   VtkMessages();
@@ -19,6 +21,12 @@ class VtkMessages {
 
   /// The first error in one line, or "" if there was none.
   std::string firstError() const;
+
+ private:
+  friend class VtkMessageSieve;
+
+  std::string firstError_;
+  VtkMessages* older_;
 };
 
 }  // namespace pneuma

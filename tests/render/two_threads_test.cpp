@@ -1,0 +1,129 @@
+#include <memory>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <vtkNew.h>
+#include <vtkObject.h>
+#include <vtkPolyData.h>
+#include <vtkTimerLog.h>
+
+#include "render/drawing.h"
+#include "render/generated_lungs.h"
+#include "render/picture.h"
+#include "render/scene.h"
+#include "render/vtk_messages.h"
+
+// A film or a report is drawn on a thread of its own while the window is drawn.
+namespace pneuma {
+namespace {
+
+constexpr int Rounds = 40;
+constexpr int SmallestFont = 9;
+constexpr int LargestFont = 60;
+
+/// Texts of many sizes, more than a cache of glyphs holds, so that it forgets and loads.
+std::vector<Picture> drawn() {
+  std::vector<Picture> pictures;
+  for (int size = SmallestFont; size < LargestFont; ++size) {
+    Picture picture = blank(300, 70, Rgb{0.0, 0.0, 0.0});
+    drawText(picture, "Right lower lobe: 1234.5 mL", {5.0, 5.0}, size, Rgb{1.0, 1.0, 1.0});
+    pictures.push_back(std::move(picture));
+  }
+  return pictures;
+}
+
+TEST(TwoThreads, DrawTextAtOnce) {
+  const std::vector<Picture> alone = drawn();
+  int different = 0;
+  const auto draw = [&](int& found) {
+    for (int round = 0; round < Rounds; ++round) {
+      const std::vector<Picture> now = drawn();
+      for (std::size_t i = 0; i < now.size(); ++i) found += now[i].rgb != alone[i].rgb;
+    }
+  };
+  int besides = 0;
+  {
+    const std::jthread other(draw, std::ref(besides));
+    draw(different);
+  }
+  EXPECT_EQ(different, 0);
+  EXPECT_EQ(besides, 0);
+}
+
+/// Everything that stands in a picture, with whatever VTK makes anew for each.
+std::vector<Picture> scenesDrawn() {
+  std::vector<Picture> pictures;
+  for (const int size : {48, 80, 112}) {
+    Scene scene;
+    scene.setSurfaces(test::generatedLobes());
+    scene.setTree(test::generatedTree(3));
+    pictures.push_back(renderPicture(scene, size, size));
+  }
+  return pictures;
+}
+
+TEST(TwoThreads, DrawScenesAtOnce) {
+  const std::vector<Picture> alone = scenesDrawn();
+  const auto draw = [&](int& different) {
+    for (int round = 0; round < 3; ++round) {
+      const std::vector<Picture> now = scenesDrawn();
+      for (std::size_t i = 0; i < now.size(); ++i) different += now[i].rgb != alone[i].rgb;
+    }
+  };
+  int different = 0;
+  int besides = 0;
+  {
+    const std::jthread other(draw, std::ref(besides));
+    draw(different);
+  }
+  EXPECT_EQ(different, 0);
+  EXPECT_EQ(besides, 0);
+  EXPECT_EQ(vtkTimerLog::GetNumberOfEvents(), 0)
+      << "the log is one for all threads, without a lock";
+}
+
+void say(const std::string& what) {
+  vtkNew<vtkPolyData> speaker;
+  vtkErrorWithObjectMacro(speaker, << what);
+}
+
+TEST(TwoThreads, EachKeepsItsOwnErrors) {
+  constexpr int Times = 500;
+  const auto listen = [](const std::string& name, int& wrong) {
+    for (int i = 0; i < Times; ++i) {
+      VtkMessages outer;
+      {
+        VtkMessages messages;
+        say(name);
+        say("later");
+        wrong += messages.firstError() != name;
+      }
+      say("outside " + name);
+      wrong += outer.firstError() != "outside " + name;
+    }
+  };
+  int wrong = 0;
+  int besides = 0;
+  {
+    const std::jthread other(listen, "the film", std::ref(besides));
+    listen("the window", wrong);
+  }
+  EXPECT_EQ(wrong, 0);
+  EXPECT_EQ(besides, 0);
+}
+
+TEST(TwoThreads, MessagesMayEndInAnyOrder) {
+  auto first = std::make_unique<VtkMessages>();
+  auto second = std::make_unique<VtkMessages>();
+  first.reset();
+  say("one");
+  EXPECT_EQ(second->firstError(), "one");
+  second.reset();
+  VtkMessages third;
+  EXPECT_EQ(third.firstError(), "");
+}
+
+}  // namespace
+}  // namespace pneuma
