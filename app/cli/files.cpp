@@ -125,20 +125,6 @@ void requireOtherThanInputs(const fs::path& output, std::span<const fs::path> in
   }
 }
 
-namespace {
-
-/// Where a path leads: itself, or the end of its links, which may not be there.
-fs::path endOfLinks(fs::path path) {
-  constexpr int MostLinks = 40;
-  std::error_code error;
-  for (int n = 0; n < MostLinks && fs::is_symlink(path, error); ++n) {
-    path = path.parent_path() / fs::read_symlink(path, error);
-  }
-  return path;
-}
-
-}  // namespace
-
 OutputSet::Aside::Aside(const fs::path& folder) : path_(folder / nameAside(StageEnding)) {
   noteUnfinished(path_);
   std::error_code ignored;  // then files are replaced for good

@@ -75,15 +75,9 @@ fs::path withoutAside(const fs::path& path) {
 
 /// Where the bytes go: the file a symbolic link stands for, so that the link itself survives.
 fs::path targetOf(const fs::path& path) {
-  constexpr int MostLinks = 40;  // as Linux has it
-  fs::path target = path;
-  std::error_code error;
-  for (int n = 0; fs::is_symlink(target, error); ++n) {
-    if (n == MostLinks) throwSystemError(path, ELOOP);
-    const fs::path next = fs::read_symlink(target, error);
-    if (error) throwSystemError(path, error.value());
-    target = target.parent_path() / next;  // next alone if it is absolute
-  }
+  fs::path target = endOfLinks(path);
+  std::error_code ignored;
+  if (fs::is_symlink(target, ignored)) throwSystemError(path, ELOOP);
   return target;
 }
 
@@ -137,6 +131,18 @@ void takeFreeName(const fs::path& from, const fs::path& target) {
 }
 
 }  // namespace
+
+fs::path endOfLinks(const fs::path& path) {
+  constexpr int MostLinks = 40;  // as Linux has it
+  fs::path end = path;
+  std::error_code error;
+  for (int n = 0; n < MostLinks && fs::is_symlink(end, error); ++n) {
+    const fs::path next = fs::read_symlink(end, error);
+    if (error) break;
+    end = end.parent_path() / next;  // next alone if it is absolute
+  }
+  return end;
+}
 
 AtomicFile::AtomicFile(const fs::path& path, Existing existing)
     : target_(targetOf(path)), existing_(existing) {

@@ -14,6 +14,10 @@ enum class Existing { Refuse, Replace };
 /// @throws OutputFailed naming the path and what to do (exists, no folder, read-only, a folder)
 void requireWritable(const std::filesystem::path& path, Existing existing = Existing::Replace);
 
+/// The file that a path stands for: itself, or the end of its links, which need not be there. A
+/// link again if they lead to themselves.
+std::filesystem::path endOfLinks(const std::filesystem::path& path);
+
 /// A file that is written piece by piece beside its target. It takes the target's place when it is
 /// whole, and goes away if that never happens.
 class AtomicFile {

@@ -39,6 +39,12 @@ std::uint64_t mostUnpacked(std::uint64_t packed, const ArchiveLimits& limits) {
   return std::min(limits.bytes, limits.freeSwelling + limits.swelling * packed);
 }
 
+/// The fewest bytes of an archive that unpacks to `unpacked`, as mostUnpacked() has it.
+std::uint64_t leastPacked(std::uint64_t unpacked, const ArchiveLimits& limits) {
+  if (unpacked <= limits.freeSwelling) return 0;
+  return (unpacked - limits.freeSwelling + limits.swelling - 1) / limits.swelling;
+}
+
 /// Where libarchive's bytes go. Its code is C: what is thrown waits until it has returned.
 struct Sink {
   AtomicFile& file;
@@ -256,14 +262,10 @@ void writeArchive(const fs::path& path, const std::vector<ArchiveMember>& member
     }
     writer.close();
     progress.throwIfStopped();
-    if (total > limits.freeSwelling) {
-      const std::uint64_t least =
-          (total - limits.freeSwelling + limits.swelling - 1) / limits.swelling;
-      const bool packed = std::ranges::any_of(packings, &Packing::pack);
-      if (writer.bytes() < least && packed) {
-        packFewer(members, least - writer.bytes(), packings);
-        continue;
-      }
+    const std::uint64_t least = leastPacked(total, limits);
+    if (writer.bytes() < least && std::ranges::any_of(packings, &Packing::pack)) {
+      packFewer(members, least - writer.bytes(), packings);
+      continue;
     }
     keepPrevious(path);
     file.commit();
