@@ -35,11 +35,11 @@ function(pneuma_precompile target)
 endfunction()
 
 # pneuma_unite(<target>)
-# With PNEUMA_UNITY: sources of the target are compiled eight at a time, which halves a whole build and
+# With PNEUMA_UNITY: sources of the target are compiled sixteen at a time, which halves a whole build and
 # makes the rebuild after one changed file longer. For targets whose sources repeat the same templates.
 function(pneuma_unite target)
   if(PNEUMA_UNITY)
-    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 16)
   endif()
 endfunction()
 

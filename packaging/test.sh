@@ -7,7 +7,7 @@
 #   packaging/test.sh --full    that and the rest, some hours: every damaged file, every fault, three runs of everything
 #                               for each number of threads, commands of the pages as they stand, 1,000 actions by
 #                               chance, a window opened and closed 200 times, all of it again under sanitizers,
-#                               and a minute of fuzzing for each format
+#                               a minute of fuzzing for each format, and lines that tests run
 set -euo pipefail
 full=
 case ${1:-} in
@@ -62,7 +62,7 @@ step "Configure"
 if [[ -z ${CMAKE_CXX_COMPILER_LAUNCHER:-} ]] && command -v ccache >/dev/null; then
   export CMAKE_CXX_COMPILER_LAUNCHER=ccache
 fi
-# A first build is a whole one: sources are compiled eight at a time. A build that is there stays as it is.
+# A first build is a whole one: sources are compiled sixteen at a time. A build that is there stays as it is.
 # Benchmarks are no tests: in CI they would cost a minute and show nothing.
 how=()
 [[ -f build/release/CMakeCache.txt ]] || how=(-DPNEUMA_UNITY=ON)
@@ -92,6 +92,7 @@ export UBSAN_OPTIONS=halt_on_error=1:print_stacktrace=1
 cmake --workflow --preset asan
 
 step "Thread sanitizer"
+export TSAN_OPTIONS=suppressions=$PWD/tests/sanitizers/threads.supp:halt_on_error=1
 cmake --workflow --preset tsan
 
 step "Fuzzing"
@@ -99,4 +100,11 @@ if command -v clang++-19 >/dev/null; then
   cmake --workflow --preset fuzz
 else
   echo "clang 19 is not installed; nothing is fuzzed"
+fi
+
+step "Coverage"
+if command -v gcovr >/dev/null; then
+  packaging/coverage.sh
+else
+  echo "gcovr is not installed; lines that tests run are not counted"
 fi

@@ -129,7 +129,7 @@ Json anonymizeReport(const AnonymizeArguments& arguments, const fs::path& output
   return report;
 }
 
-std::string textOf(const fs::path& output, const Summary& summary) {
+std::string reportText(const fs::path& output, const Summary& summary) {
   const auto count = [](std::size_t n) { return grouped(static_cast<double>(n)); };
   std::vector<std::vector<std::string>> rows = {{"removed or cleaned", "times"}};
   for (const auto& [name, times] : summary.removed) rows.push_back({"  " + name, count(times)});
@@ -190,7 +190,7 @@ ExitCode runAnonymize(const AnonymizeArguments& arguments, const CommonOptions& 
   if (common.json) {
     std::cout << jsonText(anonymizeReport(arguments, common.output, summary));
   } else if (!common.quiet) {
-    std::cout << textOf(common.output, summary);
+    std::cout << reportText(common.output, summary);
   }
   return ExitCode::Done;
 }

@@ -7,7 +7,7 @@
 namespace pneuma {
 namespace {
 
-constexpr double LeastPower = 0.05;
+constexpr double FlattestPower = 0.05;
 constexpr double LeastLength = 1e-9;  // of a direction
 
 /// Y00 and the factor of all three Y1m.
@@ -46,7 +46,7 @@ Vec3 motionDirection(const Vec3& share, Side side, const Vec3& gravity,
   Vec3 direction;
   for (int k = 0; k < 3; ++k) {
     const auto n = static_cast<std::size_t>(k);
-    const double power = std::max(LeastPower, constants.power[n]);
+    const double power = std::max(FlattestPower, constants.power[n]);
     const auto grown = [&](double q) {
       return constants.factor[n] * std::pow(std::clamp(q, 0.0, 1.0), power);
     };

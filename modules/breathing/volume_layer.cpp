@@ -19,7 +19,7 @@ namespace {
 
 constexpr double DepthMm = 15.0;
 constexpr double SmoothMm = 10.0;
-constexpr double SolvedTo = 1e-5;  // of directions
+constexpr double DirectionsSolvedTo = 1e-5;
 constexpr double NearWallMm = 1e-6;
 constexpr double LeastStretch = 0.1;
 constexpr double MostMm = 10.0;  // of a; its slope in depth is a / 15 mm
@@ -32,7 +32,7 @@ std::vector<Vec3> smoothedNormals(const TriangleMesh& surface) {
   std::vector<double> wanted(areas.size());
   for (int axis = 0; axis < 3; ++axis) {
     for (std::size_t n = 0; n < areas.size(); ++n) wanted[n] = areas[n] * normals[n][axis];
-    const std::vector<double> solved = solve(matrix, wanted, {SolvedTo});
+    const std::vector<double> solved = solve(matrix, wanted, {DirectionsSolvedTo});
     for (std::size_t n = 0; n < areas.size(); ++n) normals[n][axis] = solved[n];
   }
   for (Vec3& normal : normals) {

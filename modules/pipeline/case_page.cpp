@@ -124,7 +124,7 @@ std::string airwaysOf(const Json& report) {
   return heading("Airways") + table({"Figure", "#Here", "#Published", "Source"}, rows);
 }
 
-std::string breathOf(const Json& report) {
+std::string breathingOf(const Json& report) {
   if (!report.contains("breathing")) return {};
   const Json& breath = report.at("breathing");
   std::string rows;
@@ -195,7 +195,7 @@ std::string casePage(const Json& report, const std::vector<PagePicture>& picture
   text += picturesOf(pictures);
   text += "<div class=\"columns\"><div>" + volumesOf(report) + "</div><div>" + checksOf(report) +
           "</div></div>\n";
-  text += breathOf(report) + airwaysOf(report) + methodsOf(report);
+  text += breathingOf(report) + airwaysOf(report) + methodsOf(report);
   if (const Json& warnings = report.at("warnings"); !warnings.empty()) {
     text += heading("To be aware of") + element("ul", sentences(warnings)) + "\n";
   }

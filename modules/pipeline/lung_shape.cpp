@@ -7,7 +7,7 @@
 namespace pneuma {
 namespace {
 
-constexpr double GridMm =
+constexpr double RayGridMm =
     4.0;  ///< 50,000 points in a lung of 3 l: a lobe's volume to half a percent
 
 }  // namespace
@@ -19,9 +19,9 @@ LungShape lungShape(std::shared_ptr<const TriangleMesh> lung, Side side) {
   const SurfaceDomain domain(*lung);
   shape.volumeMm3 = domain.volumeMm3();
   const Box3& box = shape.extent.bounds;
-  for (double z = box.min().z() + GridMm / 2.0; z < box.max().z(); z += GridMm) {
-    for (double y = box.min().y() + GridMm / 2.0; y < box.max().y(); y += GridMm) {
-      for (double x = box.min().x() + GridMm / 2.0; x < box.max().x(); x += GridMm) {
+  for (double z = box.min().z() + RayGridMm / 2.0; z < box.max().z(); z += RayGridMm) {
+    for (double y = box.min().y() + RayGridMm / 2.0; y < box.max().y(); y += RayGridMm) {
+      for (double x = box.min().x() + RayGridMm / 2.0; x < box.max().x(); x += RayGridMm) {
         if (domain.contains({x, y, z})) shape.inside.emplace_back(x, y, z);
       }
     }

@@ -66,7 +66,7 @@ TEST(StrainCurve, OfEveryPresetIsSound) {
   }
 }
 
-std::string refusal(const std::vector<StrainPoint>& points) {
+std::string refusalOfPoints(const std::vector<StrainPoint>& points) {
   try {
     const StrainCurve curve(points);
   } catch (const InvalidInput& error) {
@@ -76,12 +76,13 @@ std::string refusal(const std::vector<StrainPoint>& points) {
 }
 
 TEST(StrainCurve, RefusesPointsThatAreNoCurve) {
-  EXPECT_THAT(refusal({}), HasSubstr("0 points"));
-  EXPECT_THAT(refusal({{0.0, 0.4}}), HasSubstr("1 points"));
-  EXPECT_THAT(refusal({{0.1, 0.4}, {1.0, 0.2}}), HasSubstr("from r = 0.1"));
-  EXPECT_THAT(refusal({{0.0, 0.4}, {0.5, 0.3}, {0.5, 0.2}, {1.0, 0.1}}), HasSubstr("point 3"));
-  EXPECT_THAT(refusal({{0.0, 0.4}, {1.0, 0.0}}), HasSubstr("point 2"));
-  EXPECT_THAT(refusal({{0.0, std::nan("")}, {1.0, 0.1}}), HasSubstr("point 1"));
+  EXPECT_THAT(refusalOfPoints({}), HasSubstr("0 points"));
+  EXPECT_THAT(refusalOfPoints({{0.0, 0.4}}), HasSubstr("1 points"));
+  EXPECT_THAT(refusalOfPoints({{0.1, 0.4}, {1.0, 0.2}}), HasSubstr("from r = 0.1"));
+  EXPECT_THAT(refusalOfPoints({{0.0, 0.4}, {0.5, 0.3}, {0.5, 0.2}, {1.0, 0.1}}),
+              HasSubstr("point 3"));
+  EXPECT_THAT(refusalOfPoints({{0.0, 0.4}, {1.0, 0.0}}), HasSubstr("point 2"));
+  EXPECT_THAT(refusalOfPoints({{0.0, std::nan("")}, {1.0, 0.1}}), HasSubstr("point 1"));
 }
 
 TEST(InitialStrain, IsLargestAtTheDiaphragmAndLeastFarthestFromIt) {

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double RadiusMm = 42.0;
 constexpr double SheetMm = 1.0;
-constexpr double LungHu = -850.0;
+constexpr double AeratedHu = -850.0;
 constexpr double SheetHu = -600.0;
 
 /// A fissure that is a plane, 30 degrees steep.
@@ -79,14 +79,15 @@ Phantom phantom(const HeightSurface& fissure, Sheet sheet, bool withVessels = tr
         double hu = 40.0;
         if (p.norm() < RadiusMm) {
           made.labels.at(i, j, k) = 10;
-          hu = LungHu;
+          hu = AeratedHu;
           const bool there = sheet == Sheet::Whole || (sheet == Sheet::Half && p.x() < 0.0);
           // What a voxel a millimetre wide holds of the sheet.
           const double away = there ? std::abs(fissure.distance(p)) : RadiusMm;
-          hu += (SheetHu - LungHu) * std::clamp(0.5 * SheetMm + 0.5 - away, 0.0, 1.0);
+          hu += (SheetHu - AeratedHu) * std::clamp(0.5 * SheetMm + 0.5 - away, 0.0, 1.0);
           for (const Vessel& tube : tubes) {
             const double to = (p - tube.point).cross(tube.way).norm();
-            hu = std::max(hu, LungHu - LungHu * std::clamp(tube.radiusMm + 0.5 - to, 0.0, 1.0));
+            hu = std::max(hu,
+                          AeratedHu - AeratedHu * std::clamp(tube.radiusMm + 0.5 - to, 0.0, 1.0));
           }
         }
         made.ct.at(i, j, k) = static_cast<std::int16_t>(std::lround(hu + 30.0 * random.normal()));

@@ -11,7 +11,7 @@ namespace pneuma {
 namespace {
 
 /// Two balls of 30 mm radius on top of each other as lobes of the left lung.
-LungModel twoLobes() {
+LungModel modelOfTwoLobes() {
   const auto lobe = [](Lobe name, double z) {
     auto mesh = std::make_shared<TriangleMesh>(testing::sphere(30.0, {60.0, 0.0, z}, 4));
     return LobeSurface{name, std::string(shortName(name)), mesh, {}};
@@ -34,7 +34,7 @@ TEST(StiffnessRegion, IsReadFromText) {
 }
 
 TEST(StiffnessRegion, FadesOverTenMillimetres) {
-  const LungModel model = twoLobes();
+  const LungModel model = modelOfTwoLobes();
   const std::vector<StiffnessRegion> ball = {stiffnessRegion("60,0,0,20=4")};
   const std::vector<Vec3> points = {
       {60.0, 0.0, 0.0}, {60.0, 20.0, 0.0}, {60.0, 25.0, 0.0}, {60.0, 30.0, 0.0}, {60.0, 90.0, 0.0}};
@@ -49,7 +49,7 @@ TEST(StiffnessRegion, FadesOverTenMillimetres) {
 }
 
 TEST(StiffnessRegion, OfALobeIsOnItsSurface) {
-  const LungModel model = twoLobes();
+  const LungModel model = modelOfTwoLobes();
   const std::vector<StiffnessRegion> lobe = {stiffnessRegion("LLL=0.5")};
   const std::vector<Vec3> points = {(*model.surfaces)[1].mesh->points[7], {60.0, 0.0, 60.0}};
   const std::vector<double> stiffness = stiffnessAt(points, Side::Left, model, lobe);
@@ -61,7 +61,7 @@ TEST(StiffnessRegion, OfALobeIsOnItsSurface) {
 }
 
 TEST(StiffnessRegion, SoftPartsGiveWayMore) {
-  const LungModel model = twoLobes();
+  const LungModel model = modelOfTwoLobes();
   const double both =
       signedVolumeMm3(*(*model.surfaces)[0].mesh) + signedVolumeMm3(*(*model.surfaces)[1].mesh);
   const auto compliance = [&](const char* text) {

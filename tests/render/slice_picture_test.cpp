@@ -13,7 +13,7 @@
 namespace pneuma {
 namespace {
 
-constexpr SliceLook Plain{.labels = LabelStyle::Hidden, .annotations = false};
+constexpr SliceLook PlainSlice{.labels = LabelStyle::Hidden, .annotations = false};
 
 ImageGeometry cube(int size) {
   ImageGeometry geometry;
@@ -68,8 +68,8 @@ TEST(SlicePicture, PutsRightLeftFrontAndTopWhereTheyBelong) {
   CtImage ct = filled(cube(21), -1000);
   ct.at(16, 4, 17) = 1000;  // left, in front, high
   const auto middleOf = [&](SlicePlane plane, double positionMm) {
-    return brightMiddle(
-        slicePicture({.ct = &ct}, framedSlice(ct.geometry, plane, positionMm, 210, 210), Plain));
+    return brightMiddle(slicePicture(
+        {.ct = &ct}, framedSlice(ct.geometry, plane, positionMm, 210, 210), PlainSlice));
   };
   const PicturePoint axial = middleOf(SlicePlane::Axial, 17.0);
   EXPECT_NEAR(axial.x, 165.0, 1.0);  // the patient's left on the right
@@ -115,10 +115,10 @@ TEST(SlicePicture, ShowsAnObliqueImageWhereThePatientIs) {
   unturned.geometry.direction = Mat3::Identity();
   for (const SlicePlane plane : SlicePlanes) {
     const SliceFrame frame{plane, Vec3(20.0, -20.0, 30.0), 1.5, 110, 80};
-    const Picture truth = slicePicture({.ct = &straight.ct}, frame, Plain);
+    const Picture truth = slicePicture({.ct = &straight.ct}, frame, PlainSlice);
     // Only edges fall differently between the voxels.
-    EXPECT_LT(otherShare(truth, slicePicture({.ct = &oblique.ct}, frame, Plain)), 0.04);
-    EXPECT_GT(otherShare(truth, slicePicture({.ct = &unturned}, frame, Plain)), 0.15);
+    EXPECT_LT(otherShare(truth, slicePicture({.ct = &oblique.ct}, frame, PlainSlice)), 0.04);
+    EXPECT_GT(otherShare(truth, slicePicture({.ct = &unturned}, frame, PlainSlice)), 0.15);
   }
 }
 
@@ -136,8 +136,8 @@ TEST(SlicePicture, IsTrueToScaleForThickSlices) {
       }
     }
   }
-  const Picture picture =
-      slicePicture({.ct = &ct}, framedSlice(geometry, SlicePlane::Coronal, 40.0, 400, 400), Plain);
+  const Picture picture = slicePicture(
+      {.ct = &ct}, framedSlice(geometry, SlicePlane::Coronal, 40.0, 400, 400), PlainSlice);
   int across = 0;
   int along = 0;
   for (int at = 0; at < 400; ++at) {
@@ -151,13 +151,13 @@ TEST(SlicePicture, DrawsNothingOutsideTheImage) {
   const CtImage ct = filled(cube(10), 3000);
   SliceFrame frame = framedSlice(ct.geometry, SlicePlane::Axial, 5.0, 100, 100);
   frame.mmPerPixel *= 2.0;
-  const Picture picture = slicePicture({.ct = &ct}, frame, Plain);
+  const Picture picture = slicePicture({.ct = &ct}, frame, PlainSlice);
   EXPECT_EQ(rgbAt(picture, 24, 50)[0], 0);
   EXPECT_EQ(rgbAt(picture, 25, 50)[0], 255);
   EXPECT_EQ(rgbAt(picture, 74, 50)[0], 255);
   EXPECT_EQ(rgbAt(picture, 75, 50)[0], 0);
   frame.centre.z() = 200.0;
-  EXPECT_EQ(rgbAt(slicePicture({.ct = &ct}, frame, Plain), 50, 50)[0], 0);
+  EXPECT_EQ(rgbAt(slicePicture({.ct = &ct}, frame, PlainSlice), 50, 50)[0], 0);
 }
 
 TEST(SlicePicture, AveragesVoxelsFinerThanItsPixels) {
@@ -169,8 +169,8 @@ TEST(SlicePicture, AveragesVoxelsFinerThanItsPixels) {
   }
   SliceFrame frame = framedSlice(ct.geometry, SlicePlane::Axial, 32.0, 16, 16);
   frame.centre += Vec3(0.5, 0.5, 0.0);  // the pixels' centres are voxels' centres
-  const Picture picture = slicePicture({.ct = &ct}, frame, Plain);
-  const int mean = Plain.window.grey(-600.0);
+  const Picture picture = slicePicture({.ct = &ct}, frame, PlainSlice);
+  const int mean = PlainSlice.window.grey(-600.0);
   for (int x = 1; x < 15; ++x) EXPECT_NEAR(rgbAt(picture, x, 7)[0], mean, 2) << x;
 }
 
@@ -182,7 +182,7 @@ TEST(SlicePicture, FillsOutlinesAndHidesLabels) {
   }
   const SliceFrame frame = framedSlice(ct.geometry, SlicePlane::Axial, 15.0, 30, 30);
   const auto at = [&](LabelStyle style, int x) {
-    SliceLook look = Plain;
+    SliceLook look = PlainSlice;
     look.labels = style;
     return rgbAt(slicePicture({&ct, &labels, {}, {}}, frame, look), x, 15);
   };
@@ -206,7 +206,7 @@ TEST(SlicePicture, ColoursTheVoxelsBetweenTwoThresholds) {
   ct.at(3, 5, 5) = -400;
   ct.at(5, 5, 5) = -401;
   ct.at(7, 5, 5) = -1200;
-  SliceLook look = Plain;
+  SliceLook look = PlainSlice;
   look.highlight = HuBand{-1100.0, -400.5};
   const Picture picture =
       slicePicture({.ct = &ct}, framedSlice(ct.geometry, SlicePlane::Axial, 5.0, 10, 10), look);
@@ -219,7 +219,7 @@ TEST(SlicePicture, ColoursTheVoxelsBetweenTwoThresholds) {
 TEST(SlicePicture, OutlinesLabelsWhereAThresholdIsShown) {
   const CtImage ct = filled(cube(30), 40);
   LabelImage labels{cube(30), std::vector<std::uint8_t>(27000, 10)};
-  SliceLook look = Plain;
+  SliceLook look = PlainSlice;
   look.labels = LabelStyle::Filled;
   look.highlight = HuBand{-1100.0, -400.0};
   const SliceFrame frame = framedSlice(ct.geometry, SlicePlane::Axial, 15.0, 30, 30);
@@ -229,7 +229,7 @@ TEST(SlicePicture, OutlinesLabelsWhereAThresholdIsShown) {
 
 TEST(SlicePicture, ColoursNoAirRoundThePatient) {
   const test::GeneratedChest chest = test::generatedChest(test::chestGrid());
-  SliceLook look = Plain;
+  SliceLook look = PlainSlice;
   look.highlight = HuBand{-1100.0, -400.0};
   const auto coloured = [&](const Vec3& point, SlicePlane plane) {
     SliceFrame frame{plane, point, 1.0, 9, 9};  // looked at from near, it stays the same
@@ -249,7 +249,7 @@ TEST(SlicePicture, MarksPointsOfItsSliceAlone) {
   const CtImage ct = filled(cube(40), -3000);
   const SliceFrame frame = framedSlice(ct.geometry, SlicePlane::Axial, 20.0, 120, 120);
   const auto lit = [&](const SliceContents& contents) {
-    const Picture picture = slicePicture(contents, frame, Plain);
+    const Picture picture = slicePicture(contents, frame, PlainSlice);
     return std::count_if(picture.rgb.begin(), picture.rgb.end(), [](auto v) { return v > 0; });
   };
   EXPECT_EQ(lit({&ct, nullptr, {Vec3(20, 20, 21)}, {}}), 0);

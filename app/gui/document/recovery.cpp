@@ -20,7 +20,7 @@ constexpr qint64 ForgottenSeconds = 600;  ///< nothing is written for so long
 /// Of the steps to undo that are kept with the work: a hundred would take longer than an edit does.
 constexpr std::size_t HistoryBytes = std::size_t{64} << 20;
 
-QString textOf(const fs::path& path) { return qtText(path.string()); }
+QString qtPath(const fs::path& path) { return qtText(path.string()); }
 
 /// Stops a save whose result nobody wants any more.
 class StopSink : public ProgressSink {
@@ -45,14 +45,14 @@ void removeKept(const fs::path& file) {
 void removeForgotten(const fs::path& folder) {
   const QDateTime before = QDateTime::currentDateTime().addSecs(-ForgottenSeconds);
   const auto parts =
-      QDir(textOf(folder))
+      QDir(qtPath(folder))
           .entryInfoList({QStringLiteral(".pneuma-*.part")}, QDir::Files | QDir::Hidden);
   for (const QFileInfo& part : parts) {
     if (part.lastModified() < before) QFile::remove(part.filePath());
   }
 }
 
-QString lockOf(const fs::path& file) { return textOf(file) + QStringLiteral(".lock"); }
+QString lockOf(const fs::path& file) { return qtPath(file) + QStringLiteral(".lock"); }
 
 /// Saves the project, and returns where its CT comes from with its hash.
 std::shared_ptr<const CtSource> write(const fs::path& file, Project project,
@@ -141,7 +141,7 @@ void Recovery::keep() {
 
 std::vector<LostWork> Recovery::lostWork(const fs::path& folder) {
   std::vector<LostWork> lost;
-  const QDir directory(textOf(folder));
+  const QDir directory(qtPath(folder));
   const auto files = directory.entryInfoList({QStringLiteral("*.pneuma")}, QDir::Files, QDir::Time);
   for (const QFileInfo& info : files) {
     const fs::path file = info.filePath().toStdString();

@@ -10,7 +10,7 @@
 namespace pneuma {
 namespace {
 
-constexpr std::size_t Piece = std::size_t{1} << 20;
+constexpr std::size_t PackedAtOnce = std::size_t{1} << 20;
 
 /// Voxels of a CT pack hardly better at zlib's usual level, but take several times as long.
 constexpr int Level = 2;
@@ -46,7 +46,7 @@ std::uint64_t writePacked(AtomicFile& file, Wrapper wrapper, std::span<const cha
   gz_header header{};  // no time and no name, so that the bytes depend on the content alone
   header.os = UnknownSystem;
   const Deflater stream = deflater(wrapper, header);
-  std::vector<char> packed(Piece);
+  std::vector<char> packed(PackedAtOnce);
   std::uint64_t written = 0;
   const auto put = [&](std::span<const char> piece, int flush) {
     // zlib does not write to its input, it only lacks a const.
@@ -62,9 +62,9 @@ std::uint64_t writePacked(AtomicFile& file, Wrapper wrapper, std::span<const cha
     } while (stream->avail_out == 0);
   };
   put(head, Z_NO_FLUSH);
-  for (std::size_t done = 0; done < bytes.size(); done += Piece) {
+  for (std::size_t done = 0; done < bytes.size(); done += PackedAtOnce) {
     progress.report(static_cast<double>(done) / static_cast<double>(bytes.size()));
-    put(bytes.subspan(done, std::min(Piece, bytes.size() - done)), Z_NO_FLUSH);
+    put(bytes.subspan(done, std::min(PackedAtOnce, bytes.size() - done)), Z_NO_FLUSH);
   }
   put({}, Z_FINISH);
   progress.report(1.0);
