@@ -17,8 +17,8 @@ packages=(
   libvtk-dicom-dev libarchive-dev zlib1g-dev
   # command line, reports (JSON, PDF), hashes of inputs
   libcli11-dev nlohmann-json3-dev libhpdf-dev libssl-dev
-  # tests and benchmarks
-  libgtest-dev libgmock-dev libbenchmark-dev
+  # tests and benchmarks, some with decimal commas
+  libgtest-dev libgmock-dev libbenchmark-dev locales
   # packages: cpack looks for what programs link
   dpkg-dev file
   # a display without a screen, OpenGL in software, the font of pictures and window

@@ -1,6 +1,7 @@
 #include "widgets/application.h"
 
 #include <QSurfaceFormat>
+#include <clocale>
 
 #include <QVTKOpenGLNativeWidget.h>
 
@@ -15,6 +16,8 @@ std::unique_ptr<QApplication> makeApplication(int& argc, char** argv) {
   QApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
 #endif
   auto application = std::make_unique<QApplication>(argc, argv);
+  // Qt takes on the user's locale: files would be read and written with decimal commas.
+  std::setlocale(LC_NUMERIC, "C");
   QApplication::setOrganizationName(QStringLiteral("pneuma"));
   QApplication::setApplicationName(QStringLiteral("pneuma-desktop"));
   return application;
