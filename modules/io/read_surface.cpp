@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <mutex>
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
@@ -83,6 +84,9 @@ vtkSmartPointer<vtkPolyData> readObj(const std::filesystem::path& path, const Su
 
 vtkSmartPointer<vtkPolyData> readPly(const std::string& content, const SurfaceHead& head,
                                      const std::string& name) {
+  // VTK's lists of faces come from one heap for the whole process, which goes with each file.
+  static std::mutex oneAtATime;
+  const std::lock_guard lock(oneAtATime);
   vtkNew<vtkPLYReader> reader;
   reader->ReadFromInputStringOn();
   // VTK frees memory twice where the last line of a text has no end.

@@ -1,5 +1,6 @@
 #include "io/surface_file.h"
 
+#include <atomic>
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
@@ -8,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "core/error.h"
+#include "core/parallel.h"
 #include "io/atomic_file.h"
 #include "io/tree_file.h"
 #include "io_samples.h"
@@ -86,6 +88,38 @@ TEST_P(SurfaceFormat, IsKnownByItsContent) {
   EXPECT_EQ(file.mesh.triangles.size(), 4U);
   EXPECT_THAT(file.notes, ::testing::ElementsAre(HasSubstr("s.dat")));
   EXPECT_FALSE(isTreeFile(path));
+}
+
+/// A fan of triangles about its first point.
+TriangleMesh fan(std::uint32_t triangles) {
+  TriangleMesh mesh;
+  mesh.points.emplace_back(0.0, 0.0, 1.0);
+  for (std::uint32_t i = 0; i <= triangles; ++i) {
+    mesh.points.emplace_back(std::cos(0.001 * i), std::sin(0.001 * i), 0.0);
+    if (i > 0) mesh.triangles.push_back({0, i, i + 1});
+  }
+  return mesh;
+}
+
+// As the lobes of a folder are.
+TEST_P(SurfaceFormat, IsReadByManyThreadsAtOnce) {
+  constexpr std::size_t Files = 12;
+  constexpr int Rounds = 8;
+  const std::string extension = GetParam();
+  const TempFolder folder;
+  std::vector<TriangleMesh> alone;
+  for (std::uint32_t i = 0; i < Files; ++i) {
+    writeSurface(folder / (std::to_string(i) + extension), fan(1000 + 211 * i));
+    alone.push_back(readSurface(folder / (std::to_string(i) + extension)).mesh);
+  }
+  std::atomic<int> different = 0;
+  for (int round = 0; round < Rounds; ++round) {
+    parallelFor(Files, [&](std::size_t i) {
+      const TriangleMesh mesh = readSurface(folder / (std::to_string(i) + extension)).mesh;
+      different += mesh.points != alone[i].points || mesh.triangles != alone[i].triangles;
+    });
+  }
+  EXPECT_EQ(different, 0);
 }
 
 INSTANTIATE_TEST_SUITE_P(Formats, SurfaceFormat, ::testing::Values(".stl", ".obj", ".ply", ".vtp"),
