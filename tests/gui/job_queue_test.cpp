@@ -45,6 +45,19 @@ TEST(JobQueue, RunsTheContinuationOnItsOwnThread) {
   EXPECT_NE(computed, here);
 }
 
+TEST(JobQueue, SaysWhatAContinuationThrew) {
+  JobQueue queue;
+  const QSignalSpy failed(&queue, &JobQueue::failed);
+  const QSignalSpy finished(&queue, &JobQueue::finished);
+  queue.push("work", [](const Progress&) {
+    return JobQueue::Continuation([] { throw std::bad_alloc(); });
+  });
+  ASSERT_TRUE(waitUntilIdle(queue));
+  ASSERT_EQ(failed.size(), 1);
+  EXPECT_TRUE(failed.at(0).at(1).toString().contains("not enough memory"));
+  EXPECT_EQ(finished.size(), 0);
+}
+
 TEST(JobQueue, RunsJobsInTheOrderTheyWerePushed) {
   JobQueue queue;
   std::vector<int> order;

@@ -14,6 +14,20 @@ namespace {
 constexpr int CollectEveryMs = 20;
 constexpr int TellPointsEveryMs = 100;
 
+/// What to say of the exception that is being handled.
+std::string sentenceOfException() {
+  try {
+    throw;
+  } catch (const Error& error) {
+    return error.what();
+  } catch (const std::bad_alloc&) {
+    return "There is not enough memory for this; ask for fewer branches or close other programs.";
+  } catch (const std::exception& error) {
+    return std::string("Something went wrong inside Pneuma (") + error.what() +
+           "); what was there before is unchanged.";
+  }
+}
+
 }  // namespace
 
 /// One piece of work, its progress and what became of it.
@@ -61,17 +75,9 @@ struct JobQueue::Job final : ProgressSink {
       continuation = compute(progress);
     } catch (const Cancelled&) {
       outcome = Outcome::Cancelled;
-    } catch (const Error& error) {
+    } catch (const std::exception&) {
       outcome = Outcome::Failed;
-      sentence = error.what();
-    } catch (const std::bad_alloc&) {
-      outcome = Outcome::Failed;
-      sentence =
-          "There is not enough memory for this; ask for fewer branches or close other programs.";
-    } catch (const std::exception& error) {
-      outcome = Outcome::Failed;
-      sentence = std::string("Something went wrong inside Pneuma (") + error.what() +
-                 "); what was there before is unchanged.";
+      sentence = sentenceOfException();
     }
     compute = nullptr;
   }
@@ -178,7 +184,12 @@ void JobQueue::deliver(Job& job) {
   } else if (job.outcome == Job::Outcome::Failed) {
     emit failed(title, QString::fromStdString(job.sentence));
   } else {
-    if (job.continuation) job.continuation();
+    try {
+      if (job.continuation) job.continuation();
+    } catch (const std::exception&) {
+      emit failed(title, QString::fromStdString(sentenceOfException()));
+      return;
+    }
     emit finished(title);
   }
 }

@@ -124,7 +124,15 @@ void Recovery::keep() {
     timer_.stop();
     return;
   }
-  kept_ = revision;
+  try {
+    startWriting();
+    kept_ = revision;
+  } catch (const std::exception&) {
+    // No memory or no thread just now: tried again in a while.
+  }
+}
+
+void Recovery::startWriting() {
   Project project = document_.projectNow(HistoryBytes);
   project.view["project"] = document_.projectPath().string();
   // A CT is hashed once.

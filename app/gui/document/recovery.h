@@ -48,6 +48,7 @@ class Recovery : public QObject {
 
  private:
   void keep();
+  void startWriting();
   bool writing();
 
   Document& document_;
