@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Which lines of the modules their own tests run: builds the preset `coverage`, runs the tests of every module but
+# Which lines of the modules the tests of modules run, all together: builds the preset `coverage`, runs the tests of every module but
 # `render`, prints a table. Ends with an error if a module falls under 85 % of its lines. Needs gcovr (`apt install gcovr`).
 #   packaging/coverage.sh            the table; each line of each file is in build/coverage/lines/index.html
 set -euo pipefail
@@ -24,6 +24,7 @@ awk -F, -v least=$least '
   }
   END {
     printf "%-14s %8s %8s %7s\n", "module", "lines", "run", "%"
+    fflush()
     for (module in lines) {
       share = 100 * run[module] / lines[module]
       printf "%-14s %8d %8d %7.1f\n", module, lines[module], run[module], share | "sort"

@@ -76,7 +76,6 @@ void setSerial(std::string& ogg, std::uint32_t serial) {
 
 /// VTK's writer wants a file's name: it gets that of a file in memory.
 struct Movie::State {
-  VtkMessages messages;
   int file = ::memfd_create("movie", MFD_CLOEXEC);
   int width = 0;
   int height = 0;
@@ -102,6 +101,7 @@ Movie::Movie(int framesPerSecond) : state_(std::make_unique<State>()) {
 Movie::~Movie() = default;
 
 void Movie::add(const Picture& picture) {
+  VtkMessages messages;
   State& state = *state_;
   if (!state.started) {
     if (state.file < 0) throw OutputFailed("there is no memory for a film");
@@ -117,8 +117,8 @@ void Movie::add(const Picture& picture) {
   }
   state.writer->SetInputData(imageDataOf(picture));
   state.writer->Write();
-  if (state.writer->GetError() != 0 || !state.messages.firstError().empty()) {
-    throw OutputFailed("the film cannot be made; VTK says: " + state.messages.firstError());
+  if (state.writer->GetError() != 0 || !messages.firstError().empty()) {
+    throw OutputFailed("the film cannot be made; VTK says: " + messages.firstError());
   }
 }
 

@@ -94,11 +94,12 @@ class Offscreen {
 
   /// What the scene's camera sees now.
   Picture draw() {
+    VtkMessages messages;
     window_->Render();
     vtkNew<vtkUnsignedCharArray> pixels;
     window_->GetPixelData(0, 0, width_ * factor_ - 1, height_ * factor_ - 1, 0, pixels);
     const vtkIdType expected = static_cast<vtkIdType>(width_) * height_ * factor_ * factor_ * 3;
-    const std::string error = messages_.firstError();
+    const std::string error = messages.firstError();
     if (!error.empty() || pixels->GetNumberOfValues() != expected) {
       throw NoRendering("OpenGL could not draw the picture (" +
                         (error.empty() ? std::string("no pixels came back") : error) +
@@ -119,7 +120,6 @@ class Offscreen {
   }
 
  private:
-  VtkMessages messages_;
   vtkCamera& camera_;
   int width_;
   int height_;

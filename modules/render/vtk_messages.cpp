@@ -16,7 +16,7 @@ thread_local VtkMessages* youngest = nullptr;
 
 }  // namespace
 
-/// Takes the errors of threads that ask for them, and passes on what others say.
+/// Keeps the errors of threads that ask for them; what others say is treated as VTK always does.
 class VtkMessageSieve final : public vtkOutputWindow {
  public:
   static VtkMessageSieve* New();
@@ -26,36 +26,33 @@ class VtkMessageSieve final : public vtkOutputWindow {
   /// another thread writes to it.
   static void install() {
     const auto sieve = vtkSmartPointer<VtkMessageSieve>::New();
-    sieve->behind_ = vtkOutputWindow::GetInstance();
+    sieve->SetDisplayMode(vtkOutputWindow::GetInstance()->GetDisplayMode());
     vtkOutputWindow::SetInstance(sieve);
   }
 
   void DisplayErrorText(const char* text) override {
     if (youngest == nullptr) {
-      behind_->DisplayErrorText(text);
+      Superclass::DisplayErrorText(text);
     } else if (youngest->firstError_.empty()) {
       youngest->firstError_ = text;
     }
   }
 
   void DisplayText(const char* text) override {
-    if (youngest == nullptr) behind_->DisplayText(text);
+    if (youngest == nullptr) Superclass::DisplayText(text);
   }
 
   void DisplayWarningText(const char* text) override {
-    if (youngest == nullptr) behind_->DisplayWarningText(text);
+    if (youngest == nullptr) Superclass::DisplayWarningText(text);
   }
 
   void DisplayGenericWarningText(const char* text) override {
-    if (youngest == nullptr) behind_->DisplayGenericWarningText(text);
+    if (youngest == nullptr) Superclass::DisplayGenericWarningText(text);
   }
 
   void DisplayDebugText(const char* text) override {
-    if (youngest == nullptr) behind_->DisplayDebugText(text);
+    if (youngest == nullptr) Superclass::DisplayDebugText(text);
   }
-
- private:
-  vtkSmartPointer<vtkOutputWindow> behind_;
 };
 
 vtkStandardNewMacro(VtkMessageSieve);

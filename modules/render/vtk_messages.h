@@ -9,9 +9,9 @@ namespace pneuma {
 void silenceVtk();
 
 /// While it lives, what VTK says on the same thread is not printed: errors are kept for whoever
-/// asks, warnings are dropped. What other threads say goes where it went before, but for what VTK's
-/// logger prints besides. Any number may live at a time; the youngest of a thread keeps its errors.
-/// It ends on the thread that made it.
+/// asks, warnings are dropped. What other threads say meanwhile may not be printed either. Any
+/// number may live at a time; the youngest of a thread keeps its errors. It ends on the thread that
+/// made it.
 class VtkMessages {
  public:
   VtkMessages();

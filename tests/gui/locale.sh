@@ -9,6 +9,7 @@ localedef -i de_DE -f UTF-8 "$FOLDER/de_DE.UTF-8" >/dev/null 2>&1 || {
   echo "SKIPPED: the locale de_DE, which this system cannot make"
   exit 77
 }
+[ "$(LC_ALL=de_DE.UTF-8 bash -c 'printf %.1f 1')" = 1,0 ] || fail "there are no decimal commas"
 
 # Coordinates as text, which a library takes apart.
 "$PNEUMA" sample "$FOLDER/chest" --format obj --cell 4 -q || fail "no sample"
@@ -45,7 +46,7 @@ cat >"$FOLDER/play.json" <<'END'
  {"do": "screenshot", "file": "made"}]
 END
 
-# The same folder each time, for outputs name their inputs.
+# The same folder each time, for outputs name their inputs. A project holds when it was saved.
 rm -rf "$OUT"
 for locale in C.UTF-8 de_DE.UTF-8; do
   mkdir -p "$FOLDER/made/tree"

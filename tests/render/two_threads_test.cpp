@@ -65,6 +65,7 @@ std::vector<Picture> scenesDrawn() {
 }
 
 TEST(TwoThreads, DrawScenesAtOnce) {
+  vtkTimerLog::ResetLog();
   const std::vector<Picture> alone = scenesDrawn();
   const auto draw = [&](int& different) {
     for (int round = 0; round < 3; ++round) {
@@ -112,6 +113,15 @@ TEST(TwoThreads, EachKeepsItsOwnErrors) {
   }
   EXPECT_EQ(wrong, 0);
   EXPECT_EQ(besides, 0);
+}
+
+TEST(TwoThreads, NothingIsPrintedOnceVtkIsSilent) {
+  { const VtkMessages installed; }
+  silenceVtk();
+  ::testing::internal::CaptureStderr();
+  say("on this thread");
+  std::jthread([] { say("on another"); }).join();
+  EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
 }
 
 TEST(TwoThreads, MessagesMayEndInAnyOrder) {

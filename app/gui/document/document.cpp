@@ -213,6 +213,7 @@ void Document::fail(const QString& title, const QString& sentence) {
 }
 
 void Document::become(Snapshot next, const QString& stepName, StepKind kind) {
+  undo_.reserve(undo_.size() + 1);  // where memory ends, before anything has changed
   const bool otherCase = !sharesAnything(snapshot_.model, next.model);
   const bool nothingNew = !modified() && kind == StepKind::Opening;
   next.revision = ++lastRevision_;

@@ -14,8 +14,8 @@ namespace {
 constexpr int CollectEveryMs = 20;
 constexpr int TellPointsEveryMs = 100;
 
-/// What to say of the exception that is being handled.
-std::string sentenceOfException() {
+/// What to say of the exception that is being handled. @param after closes a sentence about a fault
+std::string sentenceOfException(const std::string& after) {
   try {
     throw;
   } catch (const Error& error) {
@@ -23,8 +23,7 @@ std::string sentenceOfException() {
   } catch (const std::bad_alloc&) {
     return "There is not enough memory for this; ask for fewer branches or close other programs.";
   } catch (const std::exception& error) {
-    return std::string("Something went wrong inside Pneuma (") + error.what() +
-           "); what was there before is unchanged.";
+    return std::string("Something went wrong inside Pneuma (") + error.what() + ")" + after;
   }
 }
 
@@ -77,7 +76,7 @@ struct JobQueue::Job final : ProgressSink {
       outcome = Outcome::Cancelled;
     } catch (const std::exception&) {
       outcome = Outcome::Failed;
-      sentence = sentenceOfException();
+      sentence = sentenceOfException("; what was there before is unchanged.");
     }
     compute = nullptr;
   }
@@ -184,13 +183,17 @@ void JobQueue::deliver(Job& job) {
   } else if (job.outcome == Job::Outcome::Failed) {
     emit failed(title, QString::fromStdString(job.sentence));
   } else {
+    std::string problem;
     try {
       if (job.continuation) job.continuation();
     } catch (const std::exception&) {
-      emit failed(title, QString::fromStdString(sentenceOfException()));
-      return;
+      problem = sentenceOfException(".");
     }
-    emit finished(title);
+    if (problem.empty()) {
+      emit finished(title);
+    } else {
+      emit failed(title, QString::fromStdString(problem));
+    }
   }
 }
 

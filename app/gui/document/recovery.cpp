@@ -3,6 +3,7 @@
 #include <QDateTime>
 #include <QDir>
 #include <QFileInfo>
+#include <QLocale>
 #include <QUuid>
 #include <utility>
 
@@ -156,7 +157,8 @@ std::vector<LostWork> Recovery::lostWork(const fs::path& folder) {
     QLockFile lock(lockOf(file));
     lock.setStaleLockTime(0);
     if (!lock.tryLock()) continue;  // another window is at work on it
-    lost.push_back({file, info.lastModified().toString(QStringLiteral("d MMM yyyy, hh:mm"))});
+    lost.push_back(
+        {file, QLocale().toString(info.lastModified(), QStringLiteral("d MMM yyyy, hh:mm"))});
   }
   return lost;
 }

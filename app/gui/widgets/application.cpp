@@ -1,5 +1,6 @@
 #include "widgets/application.h"
 
+#include <QLocale>
 #include <QSurfaceFormat>
 #include <clocale>
 
@@ -16,8 +17,10 @@ std::unique_ptr<QApplication> makeApplication(int& argc, char** argv) {
   QApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
 #endif
   auto application = std::make_unique<QApplication>(argc, argv);
-  // Qt takes on the user's locale: files would be read and written with decimal commas.
+  // Qt takes on the user's locale: files would be read and written with decimal commas. What is
+  // shown is in English.
   std::setlocale(LC_NUMERIC, "C");
+  QLocale::setDefault(QLocale(QLocale::English, QLocale::UnitedStates));
   QApplication::setOrganizationName(QStringLiteral("pneuma"));
   QApplication::setApplicationName(QStringLiteral("pneuma-desktop"));
   return application;
