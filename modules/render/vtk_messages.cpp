@@ -1,5 +1,6 @@
 #include "render/vtk_messages.h"
 
+#include <atomic>
 #include <mutex>
 #include <string>
 
@@ -13,6 +14,11 @@ namespace {
 
 /// The youngest of this thread.
 thread_local VtkMessages* youngest = nullptr;
+
+/// VTK counts without a lock who is about to print, so that its own silence cannot be relied on.
+std::atomic<bool> silent = false;
+
+bool isSaid() { return youngest == nullptr && !silent; }
 
 }  // namespace
 
@@ -31,27 +37,24 @@ class VtkMessageSieve final : public vtkOutputWindow {
   }
 
   void DisplayErrorText(const char* text) override {
-    if (youngest == nullptr) {
-      Superclass::DisplayErrorText(text);
-    } else if (youngest->firstError_.empty()) {
-      youngest->firstError_ = text;
-    }
+    if (isSaid()) Superclass::DisplayErrorText(text);
+    if (youngest != nullptr && youngest->firstError_.empty()) youngest->firstError_ = text;
   }
 
   void DisplayText(const char* text) override {
-    if (youngest == nullptr) Superclass::DisplayText(text);
+    if (isSaid()) Superclass::DisplayText(text);
   }
 
   void DisplayWarningText(const char* text) override {
-    if (youngest == nullptr) Superclass::DisplayWarningText(text);
+    if (isSaid()) Superclass::DisplayWarningText(text);
   }
 
   void DisplayGenericWarningText(const char* text) override {
-    if (youngest == nullptr) Superclass::DisplayGenericWarningText(text);
+    if (isSaid()) Superclass::DisplayGenericWarningText(text);
   }
 
   void DisplayDebugText(const char* text) override {
-    if (youngest == nullptr) Superclass::DisplayDebugText(text);
+    if (isSaid()) Superclass::DisplayDebugText(text);
   }
 };
 
@@ -91,7 +94,10 @@ Logger logger;
 
 }  // namespace
 
-void silenceVtk() { logger.quiet(); }
+void silenceVtk() {
+  silent = true;
+  logger.quiet();
+}
 
 VtkMessages::VtkMessages() : older_(youngest) {
   static std::once_flag installed;
