@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Which lines of the modules the tests of modules run, all together: builds the preset `coverage`, runs the tests of every module but
-# `render`, prints a table. Ends with an error if a module falls under 85 % of its lines. Needs gcovr (`apt install gcovr`).
+# Which lines of the modules their tests run, all together with those of the command line: builds the preset `coverage`,
+# runs the tests of every module but `render` and eleven of the program, prints a table. Ends with an error if a module
+# falls under 85 % of its lines. Needs gcovr (`apt install gcovr`).
 #   packaging/coverage.sh            the table; each line of each file is in build/coverage/lines/index.html
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
