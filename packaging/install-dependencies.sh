@@ -19,6 +19,8 @@ packages=(
   libcli11-dev nlohmann-json3-dev libhpdf-dev libssl-dev
   # tests and benchmarks, some with decimal commas
   libgtest-dev libgmock-dev libbenchmark-dev locales
+  # cohorts: the workflow's engine, tables and plots
+  snakemake python3-h5py python3-matplotlib
   # packages: cpack looks for what programs link
   dpkg-dev file
   # a display without a screen, OpenGL in software, the font of pictures and window

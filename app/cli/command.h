@@ -36,6 +36,7 @@ std::span<const Command> commands();
 const Command& command(std::string_view name);
 
 Run declareAnonymize(CLI::App& app, CommonOptions& common);
+Run declareCohort(CLI::App& app, CommonOptions& common);
 Run declareCompare(CLI::App& app, CommonOptions& common);
 Run declareCompletion(CLI::App& app, CommonOptions& common);
 Run declareDoctor(CLI::App& app, CommonOptions& common);

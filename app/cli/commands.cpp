@@ -7,8 +7,9 @@
 namespace pneuma::cli {
 namespace {
 
-constexpr std::array<Command, 27> Table = {{
+constexpr std::array<Command, 28> Table = {{
     {"run", "From a CT to lungs, lobes and a grown tree, by a recipe.", declareRun},
+    {"cohort", "Write a Snakemake workflow that does all of it for many CTs.", declareCohort},
     {"segment", "Find lungs and central airways in a CT.", declareSegment},
     {"lobes", "Split lungs into lobes along their fissures.", declareLobes},
     {"check", "Check a folder of lobes all over again.", declareCheck},

@@ -17,6 +17,7 @@
 #include "io/tree_file.h"
 #include "pipeline/orientation_check.h"
 #include "pipeline/report.h"
+#include "pipeline/stage_needs.h"
 
 namespace pneuma::cli {
 namespace {
@@ -121,8 +122,21 @@ FileInfo treeInfo(const std::filesystem::path& path) {
 /// What is to be told of CTs.
 struct CtWish {
   bool identifiers = false;  ///< names of people and places, too
+  double resampleMm = 0.0;   ///< what the stages take is told for voxels of this side; 0: as it is
   SeriesChoice series;
 };
+
+/// "up to 590 MB of memory, 31 s of one core"
+std::string textOfNeeds(const std::vector<StageNeed>& needs) {
+  std::uint64_t most = 0;
+  double seconds = 0.0;
+  for (const StageNeed& need : needs) {
+    most = std::max(most, need.bytes);
+    seconds += need.seconds;
+  }
+  return "up to " + fixed(static_cast<double>(most) / 1e6, 0) + " MB of memory, " +
+         fixed(seconds, 0) + " s of one core";
+}
 
 /// Missing slices are interpolated here, so that the rest of the card can be told with them.
 /// @param inputs gets what was read, unless nullptr
@@ -137,6 +151,9 @@ FileInfo ctInfo(const std::filesystem::path& path, const CtWish& wish,
   info.json = {{"path", path.string()}};
   info.json.update(ctJson(file, wish.identifiers));
   info.text = path.string() + ": " + file.format + " CT\n" + ctText(file, wish.identifiers);
+  const std::vector<StageNeed> needs = stageNeeds(file.image.geometry, wish.resampleMm);
+  info.json["needs"] = toJson(needs);
+  info.text += "  all stages, to a tree that breathes: about " + textOfNeeds(needs) + "\n";
   const OrientationCheck check =
       checkOrientation(file.image, progress.part(0.4, 1.0, "looking which lung is the right one"));
   info.text += "  " + std::string(check.maybeSwapped() ? "! " : "") + check.sentence + "\n";
@@ -226,6 +243,17 @@ Run declareInfo(CLI::App& app, CommonOptions& common) {
   app.add_option("--series", wish->series.wanted,
                  "The series of a CT to tell of: its place in the list, or its UID; else the best.")
       ->type_name("N|UID");
+  app.add_option_function<std::string>(
+         "--resample",
+         [wish](const std::string& text) {
+           CtCorrections corrections;
+           setOption(corrections, "resample", text);
+           wish->resampleMm = corrections.resampleMm;
+         },
+         "Say what a CT's stages take of memory and time after it was resampled to cubic voxels of "
+         "this side; 0: as it is.")
+      ->type_name("mm")
+      ->default_str("0");
   app.add_flag("--phi", wish->identifiers,
                "Also print the names of people and places that DICOM holds.");
   addJson(app, common);

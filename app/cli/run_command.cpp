@@ -1,3 +1,4 @@
+#include <cmath>
 #include <iostream>
 #include <memory>
 #include <utility>
@@ -64,6 +65,10 @@ Json reportOf(const Recipe& recipe, const std::vector<StageResult>& results) {
                                 {"seconds", result.seconds},
                                 {"files", result.files},
                                 {"warnings", result.warnings}});
+    if (result.memoryBytes > 0) {
+      report["stages"].back()["memory_mb"] =
+          std::ceil(static_cast<double>(result.memoryBytes) / 1e6);
+    }
     for (const std::string& warning : result.warnings) report["warnings"].push_back(warning);
   }
   return report;
@@ -87,10 +92,13 @@ std::string listed(const std::vector<std::string>& files) {
 }
 
 std::string tableOf(const std::vector<StageResult>& results) {
-  std::vector<std::vector<std::string>> rows = {{"stage", "state", "time", "files"}};
+  std::vector<std::vector<std::string>> rows = {{"stage", "state", "time", "memory", "files"}};
   for (const StageResult& result : results) {
     rows.push_back({textOf(result.stage), textOf(result.state),
                     result.seconds > 0.0 ? fixed(result.seconds, 1) + " s" : "",
+                    result.memoryBytes > 0
+                        ? fixed(static_cast<double>(result.memoryBytes) / 1e6, 0) + " MB"
+                        : "",
                     listed(result.files)});
   }
   return table(rows);

@@ -15,6 +15,7 @@
 #include "pipeline/lung_edits_file.h"
 #include "pipeline/report.h"
 #include "pipeline/segment_report.h"
+#include "pipeline/stage_needs.h"
 
 namespace pneuma::cli {
 namespace {
@@ -88,8 +89,11 @@ ExitCode runSegment(const SegmentArguments& arguments, const CommonOptions& comm
   std::vector<LungEdit> edits;
   if (!arguments.edits.empty()) edits = readLungEdits(arguments.edits);
   const auto start = std::chrono::steady_clock::now();
-  CtFile file = readCt(arguments.input, arguments.corrections, progress.part(0.0, 0.15, "reading"),
-                       arguments.series);
+  const CtHead head =
+      readCtHead(arguments.input, arguments.series, progress.part(0.0, 0.02, "reading headers"));
+  requireStageFits("segment", "finding the lungs", head.geometry, arguments.corrections.resampleMm);
+  CtFile file = readCt(arguments.input, arguments.corrections, progress.part(0.02, 0.15, "reading"),
+                       head.choice);
   std::vector<InputFile> inputs;
   if (common.json || !arguments.report.empty()) {
     inputs.push_back(ctInput(arguments.input, file, progress.part(0.15, 0.2, "hashing")));

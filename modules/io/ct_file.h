@@ -63,6 +63,17 @@ std::vector<std::filesystem::path> ctInputFiles(const std::filesystem::path& pat
                                                 const SeriesChoice& choice = {},
                                                 const Progress& progress = {});
 
+/// What is known of a CT before its voxels are read.
+struct CtHead {
+  ImageGeometry geometry;  ///< as it stands in the files, nothing corrected
+  SeriesChoice choice;     ///< the one that was asked with, and the list of series that was found
+};
+
+/// Reads headers alone. With its choice the other functions need not read them again.
+/// @throws as readCt() before it reads a voxel
+CtHead readCtHead(const std::filesystem::path& path, const SeriesChoice& choice = {},
+                  const Progress& progress = {});
+
 /// Reads a CT.
 /// @throws InputMissing, InvalidInput (gaps, damage: see readDicomSeries), Unsupported (no CT, not
 /// in HU), Error (OutOfMemory), Cancelled

@@ -1,3 +1,4 @@
+#include <memory>
 #include <set>
 
 #include "io/ct_file.h"
@@ -19,6 +20,18 @@ std::vector<std::filesystem::path> ctInputFiles(const std::filesystem::path& pat
   std::set<std::filesystem::path> files;
   for (const DicomSlice& slice : series.slices) files.insert(slice.file);
   return {files.begin(), files.end()};
+}
+
+CtHead readCtHead(const std::filesystem::path& path, const SeriesChoice& choice,
+                  const Progress& progress) {
+  if (isVolumeFile(path)) return {readVolumeHeader(path).geometry, choice};
+  CtHead head{{}, choice};
+  if (!head.choice.listed) {
+    head.choice.listed =
+        std::make_shared<const std::vector<DicomSeries>>(listDicomSeries(path, progress));
+  }
+  head.geometry = chosenSeries(*head.choice.listed, choice).geometry;
+  return head;
 }
 
 }  // namespace pneuma

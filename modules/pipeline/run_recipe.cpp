@@ -21,6 +21,7 @@
 #include "pipeline/measure_report.h"
 #include "pipeline/report.h"
 #include "pipeline/segment_report.h"
+#include "pipeline/stage_needs.h"
 #include "pipeline/tree_measurement.h"
 #include "pipeline/whole_lungs.h"
 
@@ -33,7 +34,8 @@ class Runner {
       : recipe_(recipe), options_(options), folder_(options.folder) {}
 
   std::vector<StageResult> run(const Progress& progress) {
-    inputs_ = ctInputFiles(recipe_.ct, recipe_.series, progress.part(0.0, 0.05, "reading headers"));
+    head_ = readCtHead(recipe_.ct, recipe_.series, progress.part(0.0, 0.05, "reading headers"));
+    inputs_ = ctInputFiles(recipe_.ct, head_.choice);
     if (!recipe_.lungEdits.empty()) edits_ = readLungEdits(recipe_.lungEdits);
     if (splits()) lobes_ = lobeInputs(recipe_.lobes);
     if (!options_.dryRun) requireOutputs();
@@ -86,6 +88,34 @@ class Runner {
     if (options_.existing == Existing::Refuse) folder_.requireOwn(files);
   }
 
+  /// Says what a stage that is to be done takes. Before the first one starts: do it and those after
+  /// it fit? @throws Error (OutOfMemory)
+  void requireMemory(StageResult& result) {
+    struct Need {
+      Stage stage;
+      const char* name;
+      const char* what;
+    };
+
+    static constexpr std::array<Need, 4> Needs = {{{Stage::Open, "import", "reading the CT"},
+                                                   {Stage::Lungs, "segment", "finding the lungs"},
+                                                   {Stage::Lobes, "lobes", "splitting the lungs"},
+                                                   {Stage::Airways, "grow", "growing"}}};
+    const double sideMm = recipe_.corrections.resampleMm;
+    for (const Need& need : Needs) {
+      if (need.stage == result.stage) {
+        result.memoryBytes = stageNeed(need.name, head_.geometry, sideMm).bytes;
+      }
+      const bool done = need.stage >= result.stage && asked(need.stage) &&
+                        (need.stage != Stage::Lobes || splits()) &&
+                        (need.stage != Stage::Airways || recipe_.grow);
+      if (done && !options_.dryRun && !memoryChecked_) {
+        requireStageFits(need.name, need.what, head_.geometry, sideMm);
+      }
+    }
+    memoryChecked_ = true;
+  }
+
   bool isKept(Stage stage, const std::string& key) {
     return !(options_.anew && stage >= options_.from) && folder_.holds(stage, key);
   }
@@ -102,9 +132,11 @@ class Runner {
     result.state = lungsKept_        ? StageState::Kept
                    : options_.dryRun ? StageState::Planned
                                      : StageState::Done;
-    if (lungsKept_ || options_.dryRun) return result;
+    if (lungsKept_) return result;
+    requireMemory(result);
+    if (options_.dryRun) return result;
     CtFile file = readCt(recipe_.ct, recipe_.corrections, progress.part(0.3, 1.0, "reading the CT"),
-                         recipe_.series);
+                         head_.choice);
     if (splits() && recipe_.lobes.snap) requireThinSlices(file.image);
     requireWithin(edits_, file.image.geometry, recipe_.lungEdits);
     result.warnings = file.warnings;
@@ -120,6 +152,7 @@ class Runner {
     if (lungsKept_) return folder_.keep(Stage::Lungs);
     upstreamChanged_ = true;
     StageResult result{Stage::Lungs, StageState::Planned, 0.0, {}, {}};
+    requireMemory(result);
     if (options_.dryRun) return result;
     const auto start = std::chrono::steady_clock::now();
     folder_.make();
@@ -158,6 +191,7 @@ class Runner {
     if (!upstreamChanged_ && isKept(Stage::Lobes, lobesKey_)) return folder_.keep(Stage::Lobes);
     upstreamChanged_ = true;
     StageResult result{Stage::Lobes, StageState::Planned, 0.0, {}, {}};
+    requireMemory(result);
     if (options_.dryRun) return result;
     const auto start = std::chrono::steady_clock::now();
     LungModel model =
@@ -167,7 +201,7 @@ class Runner {
       model.ct = model_.ct ? model_.ct
                            : std::make_shared<const CtImage>(
                                  readCt(recipe_.ct, recipe_.corrections,
-                                        progress.part(0.25, 0.4, "reading the CT"), recipe_.series)
+                                        progress.part(0.25, 0.4, "reading the CT"), head_.choice)
                                      .image);
     }
     StagedFolder staged(options_.folder);
@@ -191,6 +225,7 @@ class Runner {
       return folder_.keep(Stage::Airways);
     upstreamChanged_ = true;
     StageResult result{Stage::Airways, StageState::Planned, 0.0, {}, {}};
+    requireMemory(result);
     if (options_.dryRun) return result;
     const auto start = std::chrono::steady_clock::now();
     // The lungs as their files have them, whether they were found now or before.
@@ -267,6 +302,7 @@ class Runner {
   const Recipe& recipe_;
   const RunOptions& options_;
   RunFolder folder_;
+  CtHead head_;
   std::vector<std::filesystem::path> inputs_;  ///< files of the CT
   LungModel model_;
   std::vector<LungEdit> edits_;  ///< of the lungs
@@ -277,6 +313,7 @@ class Runner {
   std::string airwaysKey_;
   bool lungsKept_ = false;  ///< hashing their files twice would take as long as reading a CT
   bool upstreamChanged_ = false;
+  bool memoryChecked_ = false;
 };
 
 }  // namespace

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -42,6 +43,7 @@ struct StageResult {
   double seconds = 0.0;
   std::vector<std::string> files;     ///< in the folder
   std::vector<std::string> warnings;  ///< whole sentences
+  std::uint64_t memoryBytes = 0;      ///< that it takes, about; 0: it is kept, or not asked for
 };
 
 /// Does a recipe: CT, lungs and central airways, lobes, a grown tree, files of further formats. A
@@ -49,8 +51,10 @@ struct StageResult {
 /// what they were, is kept: run.json in the folder holds their hashes. Files are written aside and
 /// renamed, run.json last, so that a run that is stopped leaves nothing that counts as done. What a
 /// run before left of a stage that is done anew, and of those after it, is removed; a file that is
-/// not as a run left it stops the run before it begins, and the CT is never overwritten.
-/// @throws as readCt(), segmentLungs(), splitLobes(), growAirways(); OutputFailed; Cancelled
+/// not as a run left it stops the run before it begins, and the CT is never overwritten. So does a
+/// stage that would not fit into memory.
+/// @throws as readCt(), requireStageFits(), segmentLungs(), splitLobes(), growAirways();
+/// OutputFailed; Cancelled
 std::vector<StageResult> runRecipe(const Recipe& recipe, const RunOptions& options,
                                    const Progress& progress = {});
 

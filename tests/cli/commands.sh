@@ -9,7 +9,7 @@ keeps() { expect "the JSON breaks $1: $("$JSON_CHECK" "$SCHEMAS/$1.schema.json" 
 
 succeeds "help" help
 prints '^  reproduce +Repeat'
-for command in run segment lobes fissures check grow breathe estimate study outline measure compare info import repair anonymize render regress export sample thumbnail reproduce doctor completion help version; do
+for command in run cohort segment lobes fissures check grow breathe estimate study outline measure compare info import repair anonymize render regress export sample thumbnail reproduce doctor completion help version; do
   succeeds "help $command" help "$command"
   prints "^Usage: pneuma $command"
   cp "$logs/out" page

@@ -87,6 +87,9 @@ const std::vector<Command>& commands() {
       {"recipe", "run FILE -o result", "result/run.json"},
       {"recipe", "run FILE -o case.pneuma", "case.pneuma"},
       {"recipe", "run FILE --dry-run -o result", "-"},
+      {"recipe", "cohort init study --cases SEEDS/cases.csv --recipe FILE", "study/cases.json"},
+
+      {"cases", "cohort init study --cases FILE", "study/cases.json"},
       {"lung-edits", "segment SEEDS/ct/ct.nii --edits FILE -o labels.nii.gz", "labels.nii.gz"},
       {"airway-table", "grow --organ thorax --airway-table FILE --terminals 60 -o tree.vtp",
        "tree.vtp"},

@@ -53,6 +53,7 @@ constexpr Seed Seeds[] = {
     {"airway-table", "airway-table", "airways.json", ".json"},
     {"landmarks", "landmarks", "marks.csv", ".csv"},
     {"constants", "constants", "constants.json", ".json"},
+    {"cases", "cases", "cases.csv", ".csv"},
     {"breath-table", "breath-table", "breath.csv", ".csv"},
     {"head-poses", "head-poses", "poses.csv", ".csv"},
     {"breath-frames", "breath-frames", "breath/breath.pvd", ".pvd", "breath"},
@@ -80,7 +81,7 @@ void damage(Corpus& corpus, const Format& format, const fs::path& seeds) {
   // Where a file may end early without anybody telling: rows, lines, values of a list.
   static const std::set<std::string> plain = {"obj",      "swc",       "tree-csv",     "fcsv",
                                               "cip",      "landmarks", "breath-table", "head-poses",
-                                              "stl-text", "ply-text",  "dicom"};
+                                              "stl-text", "ply-text",  "dicom",        "cases"};
   damageAnyFile(corpus, format, plain.count(name) == 0);
   if (extension == ".json" || extension == ".mrk.json") damageJson(corpus, format);
   if (format.sound->compare(0, 2, "<V") == 0 && name != "breath-frames") damageXml(corpus, format);

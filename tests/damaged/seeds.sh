@@ -119,6 +119,9 @@ awk 'BEGIN {
   print "time_s,x_mm,y_mm,z_mm,qw,qx,qy,qz"
   for (i = 0; i < 12; i++) printf "%.3f,%d,-900,0,0.70710678,0.70710678,0,0\n", i * 0.015, i
 }' >poses.csv
+for name in 'first case' second; do
+  echo "$name,$PWD/ct/ct.nii.gz,$PWD/fissures/f.json,$PWD/recipe.json,1,\"a, b\""
+done | sed '1i case,ct,fissures,recipe,series,group' >cases.csv
 make breathe lungs --frames 2 -o breath/breath.pvd
 if [ -n "${DISPLAY:-}" ]; then make render surface/s.vtp --size 160x120 -o picture.png; fi
 rm -f log

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Every command of the program that README and the pages of docs/ show, run as it stands there, page by page, in the
-# order of the page; but with a tenth of the terminals and a fifth of the seeds, unless FULL is set. Needs ROOT (the
-# project), a display. PNEUMA_TEST_DATA: for the one command that asks for real data.
+# Every command of the program, and of Snakemake, that README and the pages of docs/ show, run as it stands there, page
+# by page, in the order of the page; but with a tenth of the terminals and a fifth of the seeds, unless FULL is set.
+# Needs ROOT (the project), a display. PNEUMA_TEST_DATA: for the one command that asks for real data.
 . "$(dirname "$0")/../cli/lib.sh"
 : "${ROOT:?}"
 bin=$workFolder/bin
@@ -32,6 +32,12 @@ prepared_pictures() {
   "pictures": [ { "name": "lobe", "inputs": [ "rul.stl" ], "options": [ "--view", "left" ] } ] }
 LIST
   mkdir figures/references && pneuma regress figures -o first --update -q
+}
+prepared_cohort() {
+  mkdir patients && for n in 1 2; do pneuma sample "made$n" --cell 6 --ct --spacing 4 --thick 5 --seed $n -q || return; done &&
+    mv made1/dicom patients/a && mv made2/ct.nii.gz patients/b.nii.gz && mv made2/fissures.json . &&
+    printf '%s\n' case,ct,fissures,group P01,patients/a,,COPD P02,patients/b.nii.gz,fissures.json,well >cases.csv &&
+    awk '/^```/ { json = $0 == "```json"; next } json' "$ROOT/docs/guide/cohort.md" >recipe.json
 }
 prepared_comparison() { pneuma sample lobes -q && mv lobes/central.vtp .; }
 
@@ -78,6 +84,7 @@ for page in "$ROOT"/README.md "$ROOT"/docs/*.md "$ROOT"/docs/guide/*.md "$ROOT"/
   while read -r line; do
     shown=$((shown + 1))
     case $line in
+      *snakemake*) command -v snakemake >/dev/null || { echo "not run without snakemake: $line" && continue; } ;;
       *real-data*) [ -e real-data ] || { echo "not run without real data: $line" && continue; } ;;
     esac
     caseName="${page#"$ROOT"/}: $line"
@@ -88,7 +95,7 @@ for page in "$ROOT"/README.md "$ROOT"/docs/*.md "$ROOT"/docs/guide/*.md "$ROOT"/
     code=$?
     [ "$code" -eq 0 ] || fail "exit code $code"
     [ "$SECONDS" -lt 10 ] || echo "$SECONDS s: $line"
-  done < <(blocks "$page" | grep -E '^(for .*)?pneuma ')
+  done < <(blocks "$page" | grep -E '^(for .*)?pneuma |^\(cd [a-z]+ && snakemake ')
 done
 cd "$workFolder" || exit 1
 caseName="all pages"

@@ -149,6 +149,7 @@ void putTrees(const Seeds& seeds) {
 void putTables(const Seeds& seeds) {
   seeds.put("csv", "landmarks",
             "exp_x,exp_y,exp_z,insp_x,insp_y,insp_z\n1,2,3,4,5,6\n2,3,4,5,6,7\n");
+  seeds.put("csv", "cases", "case,ct,group\nA,ct.nii,\"a, \"\"b\"\"\"\n");
   seeds.put("csv", "breath", "seconds,pressure_cmH2O,volume_ml\n0,5,0\n0.5,8,300\n1,10,500\n");
   seeds.put("csv", "poses",
             "time_s,x_mm,y_mm,z_mm,qw,qx,qy,qz\n0,0,-900,0,1,0,0,0\n0.1,1,-900,0,1,0,0,0\n");

@@ -12,6 +12,7 @@
 #include "io/member_archive.h"
 #include "io/multiblock_file.h"
 #include "io/surface_file.h"
+#include "io/text_table.h"
 #include "io/tree_file.h"
 #include "io/volume_file.h"
 #include "pipeline/lung_edits_file.h"
@@ -55,6 +56,7 @@ void readAsTable(const fs::path& path) {
   unlessRefused([&] { readMeasuredBreath(path); });
   unlessRefused([&] { readHeadPoses(path); });
   unlessRefused([&] { readFissures(path); });
+  unlessRefused([&] { readTextTable(path); });
 }
 
 void readAsJson(const fs::path& path) {

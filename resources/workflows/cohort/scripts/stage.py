@@ -1,0 +1,71 @@
+"""Runs one command of one case, and keeps what it said in LOG.log and how it ended in LOG.exit:
+
+    python3 stage.py [--display] [--to FILE] LOG.log COMMAND ARGUMENT...
+
+--display: the command draws, and gets a display of its own where xvfb-run is; one that the environment names may be
+that of another machine. --to FILE: what it prints becomes FILE, once it has ended well. A check that does not hold (exit
+code 7) leaves its results and is no failure here; the page tells it."""
+
+import json
+import os
+import resource
+import shutil
+import signal
+import subprocess
+import sys
+import time
+
+CHECK_FAILED = 7
+
+
+def with_display(command):
+    if not shutil.which("xvfb-run"):
+        return command
+    os.environ["LIBGL_ALWAYS_SOFTWARE"] = "1"
+    return ["xvfb-run", "-a", "-s", "-screen 0 1600x1200x24", *command]
+
+
+def run(command, log, printed):
+    """Its exit code, as a shell has it. Who asks this to stop, asks the command."""
+    with open(log, "wb") as said, open(printed or os.devnull, "wb") as out:
+        try:
+            child = subprocess.Popen(command, stderr=said, stdout=out)
+        except OSError as error:
+            said.write(f"{command[0]}: {error.strerror}\n".encode())
+            return 127
+        for number in (signal.SIGTERM, signal.SIGINT):
+            signal.signal(number, lambda got, frame: child.send_signal(got))
+        code = child.wait()
+    return 128 - code if code < 0 else code
+
+
+def main(arguments):
+    drawn = arguments[0] == "--display"
+    arguments = arguments[drawn:]
+    to = arguments[1] if arguments[0] == "--to" else ""
+    log, *command = arguments[2:] if to else arguments
+    record = os.path.splitext(log)[0] + ".exit"
+    os.makedirs(os.path.dirname(log), exist_ok=True)
+    if os.path.exists(record):
+        os.remove(record)
+    start = time.monotonic()
+    code = run(with_display(command) if drawn else command, log, f"{to}.part" if to else "")
+    if to and code in (0, CHECK_FAILED):
+        os.replace(f"{to}.part", to)
+    elif to:
+        os.remove(f"{to}.part")
+    ending = {
+        "exit": code,
+        "seconds": round(time.monotonic() - start, 3),
+        "peak_mb": round(resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss * 1024 / 1e6, 1),
+    }
+    with open(f"{record}.part", "w", encoding="utf-8") as file:
+        file.write(json.dumps(ending) + "\n")
+    os.replace(f"{record}.part", record)
+    with open(log, encoding="utf-8", errors="replace") as said:
+        sys.stderr.write(said.read())
+    return 0 if code == CHECK_FAILED else code
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
