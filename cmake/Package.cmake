@@ -26,6 +26,8 @@ set(CPACK_DEBIAN_PACKAGE_HOMEPAGE "${PNEUMA_HOMEPAGE}")
 set(CPACK_DEBIAN_PACKAGE_PRIORITY optional)
 # Pictures without a screen, and the font that they are made with.
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "xvfb, xauth, libgl1-mesa-dri, fonts-inter")
+# The engine of cohorts, their tables and plots.
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "snakemake, python3-h5py, python3-matplotlib")
 set(CPACK_DEBIAN_PACKAGE_RELEASE 1)
 set(CPACK_DEBIAN_PACKAGE_DESCRIPTION
     "Pneuma goes from a chest CT, or from surfaces of lobes, to an airway tree

@@ -17,14 +17,12 @@ struct CohortArguments {
   CohortSource source;
 };
 
-/// One word of a POSIX shell.
+/// One word of a POSIX shell, as people would write it.
 std::string shellWord(const std::string& text) {
   const std::string_view plain =
       "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./-+,=:@%";
   if (!text.empty() && text.find_first_not_of(plain) == std::string::npos) return text;
-  std::string word = "'";
-  for (const char c : text) word += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return word + "'";
+  return shellQuoted(text);
 }
 
 /// This program, by its whole path: the jobs of a cluster may have another PATH.

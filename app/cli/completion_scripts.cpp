@@ -1,5 +1,7 @@
 #include "cli/completion_scripts.h"
 
+#include "cli/text.h"
+
 namespace pneuma::cli {
 namespace {
 
@@ -7,13 +9,6 @@ std::string joined(const std::vector<std::string>& words, const std::string& sep
   std::string text;
   for (const std::string& word : words) text += (text.empty() ? "" : separator) + word;
   return text;
-}
-
-/// `text` as one single-quoted word of a POSIX shell.
-std::string shellQuoted(const std::string& text) {
-  std::string result = "'";
-  for (const char c : text) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return result + "'";
 }
 
 std::vector<std::string> typedNames(const CompletedOption& option) {

@@ -19,6 +19,9 @@ std::string fixed(double value, int digits);
 /// Columns: the first flush left, the others flush right.
 std::string table(const std::vector<std::vector<std::string>>& rows);
 
+/// `text` as one single-quoted word of a POSIX shell.
+std::string shellQuoted(std::string_view text);
+
 /// JSON as it goes to a file or to standard output: indented, one newline at the end, and valid
 /// even where a path is not.
 std::string jsonText(const Json& json);

@@ -100,18 +100,25 @@ class Problems {
 class Recipes {
  public:
   explicit Recipes(const fs::path& ofAll) {
-    if (!ofAll.empty()) ofAll_ = readRecipe(ofAll);
-    use(ofAll_);
+    if (ofAll.empty()) return;
+    ofAll_ = readRecipe(ofAll);
+    check(ofAll_);
   }
 
-  const Recipe& ofAll() const { return ofAll_; }
+  /// The one for all cases, for one of them.
+  const Recipe& ofAll() {
+    use(ofAll_);
+    return ofAll_;
+  }
 
   const Recipe& of(const fs::path& path) {
-    const auto known = byPath_.find(path);
-    if (known != byPath_.end()) return known->second;
-    const Recipe& recipe = byPath_.emplace(path, readRecipe(path)).first->second;
-    use(recipe);
-    return recipe;
+    auto recipe = byPath_.find(path);
+    if (recipe == byPath_.end()) {
+      recipe = byPath_.emplace(path, readRecipe(path)).first;
+      check(recipe->second);
+    }
+    use(recipe->second);
+    return recipe->second;
   }
 
   const std::vector<std::string>& methods() const { return methods_; }
@@ -121,10 +128,13 @@ class Recipes {
 
  private:
   /// Reads the files that it names, too.
-  void use(const Recipe& recipe) {
+  void check(const Recipe& recipe) {
     if (!recipe.lobes.fissures.empty()) readFissureFile(recipe.lobes.fissures);
     if (!recipe.lungEdits.empty()) readLungEdits(recipe.lungEdits);
     ignores_ = ignores_ || !recipe.formats.empty() || !recipe.ct.empty();
+  }
+
+  void use(const Recipe& recipe) {
     const std::string method(growthMethod(recipe.growth).name);
     if (std::ranges::find(methods_, method) == methods_.end()) methods_.push_back(method);
   }
@@ -218,9 +228,8 @@ class TableReader {
     }
     one.ct = existing(line, "ct", text(columns_.ct));
     const std::string recipe = text(columns_.recipe);
-    one.recipe = recipes_.ofAll();
     guarded(line, [&] {
-      if (!recipe.empty()) one.recipe = recipes_.of(folder_ / recipe);
+      one.recipe = recipe.empty() ? recipes_.ofAll() : recipes_.of(folder_ / recipe);
       if (const std::string series = text(columns_.series); !series.empty()) {
         one.recipe.series.wanted = series;
       }
@@ -289,7 +298,7 @@ bool isLooseSlice(const fs::path& path) {
 }
 
 /// The entries of a folder that hold a CT, in the order of their names.
-std::vector<CohortCase> casesInFolder(const CohortSource& source, const Recipes& recipes,
+std::vector<CohortCase> casesInFolder(const CohortSource& source, Recipes& recipes,
                                       std::vector<std::string>& notes, const Progress& progress) {
   std::error_code error;
   std::vector<fs::path> entries;

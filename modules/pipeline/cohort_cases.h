@@ -20,7 +20,7 @@ struct CohortCase {
 
 struct Cohort {
   std::vector<CohortCase> cases;
-  std::vector<std::string> methods;  ///< that the recipes name; the first is that of the cohort's
+  std::vector<std::string> methods;  ///< of the cases' recipes, in the order of the cases
   std::vector<std::string> notes;    ///< whole sentences: what was passed over or is ignored
 };
 

@@ -2,6 +2,10 @@
 
 python=/usr/bin/python3 # that of the snakemake which the system has
 unset DISPLAY # as on the node of a cluster
+if ! command -v Xvfb >/dev/null; then
+  echo "Xvfb is not installed"
+  exit 77
+fi
 for module in h5py matplotlib; do
   if ! command -v snakemake >/dev/null || ! "$python" -c "import $module" 2>/dev/null; then
     echo "snakemake, or $module for it, is not installed"

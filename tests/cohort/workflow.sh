@@ -81,14 +81,14 @@ caseName="killed in the middle"
 rm -r study/{cases,logs,benchmarks,.snakemake} gaps && cp -r 'Ünal 2' gaps
 (cd study && PATH=/usr/bin:$PATH exec setsid snakemake --profile profiles/local --cores 2) >"$logs/killed" 2>&1 </dev/null &
 head=$!
-for _ in $(seq 600); do
-  [ "$(find study/cases -name lungs.json 2>/dev/null | wc -l)" -ge 2 ] && break
+for _ in $(seq 3000); do
+  [ "$(grep -c '^Finished job' "$logs/killed")" -ge 8 ] && break
   sleep 0.1
 done
 kill -9 -- "-$head"
 wait "$head" 2>/dev/null
 finished=$(grep -c '^Finished job' "$logs/killed")
-expect "it was not running" test "$finished" -ge 5 -a "$finished" -lt 45
+expect "it was not running" test "$finished" -ge 8 -a "$finished" -lt 45
 (cd study && PATH=/usr/bin:$PATH snakemake --unlock) >"$logs/flow" 2>&1
 flow local --cores 2
 expect "it ends with $code" test "$code" -eq 0

@@ -78,14 +78,15 @@ TEST_F(Cohorts, NumberCasesWithoutNames) {
 TEST_F(Cohorts, TakeTheRecipeOfTheCaseOrThatOfAll) {
   writeRecipes();
   const Cohort cohort = read("ct,recipe\none.nii,dla.json\nthree.nii,\n", "thick.json");
-  EXPECT_THAT(cohort.methods, ElementsAre("kitaoka", "dla"));
+  EXPECT_THAT(cohort.methods, ElementsAre("dla", "kitaoka"));
+  EXPECT_THAT(read("ct,recipe\none.nii,dla.json\n").methods, ElementsAre("dla"));
   const Json json = toJson(cohort);
   const Json& options = json.at("cases").at(0).at("options");
   EXPECT_EQ(options.at("segment"), Json::array());
   EXPECT_EQ(options.at("grow").at("dla"), Json({"--set=particles=5000", "--set=seed=3"}));
   EXPECT_EQ(options.at("grow").at("centroid"), Json({"--set=seed=3"}));
   const Json& ofAll = json.at("cases").at(1).at("options");
-  EXPECT_EQ(json.at("methods"), Json({"kitaoka", "dla"}));
+  EXPECT_EQ(json.at("methods"), Json({"dla", "kitaoka"}));
   EXPECT_EQ(ofAll.at("info"), Json({"--resample=1.5"}));
   EXPECT_EQ(ofAll.at("import"), Json({"--resample=1.5"}));
   EXPECT_EQ(ofAll.at("segment"), Json({"--threshold=-600"}));

@@ -147,6 +147,8 @@ def outcome(name, ct, done, methods, breathing):
         code = ending(name, stage).get("exit", 0)
         if code not in (0, CHECK_FAILED, *STOPPED) and all(one in done for one in before(stage, methods)):
             return "failed", stage, code, anonymous(reason(name, stage), ct) or meaning(code)
+        if code in STOPPED:
+            return "not finished", stage, code, "it was stopped, by a person or for taking too long"
     return ("not finished", left[0], None, "") if left else ("done", "", None, "")
 
 
@@ -200,6 +202,8 @@ def reports_of(folder, done, methods):
     for method in methods:
         if f"grow-{method}" in done:
             reports[f"tree ({method})"] = read_json(folder, "trees", f"{method}.json")
+        if f"measure-{method}" in done:
+            reports[f"measures ({method})"] = read_json(folder, "measures", f"{method}.json")
     if "breathe" in done:
         reports["breath"] = read_json(folder, "breath", "breath.json")
     return reports

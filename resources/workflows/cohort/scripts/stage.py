@@ -2,8 +2,8 @@
 
     python3 stage.py [--display] [--to FILE] LOG.log COMMAND ARGUMENT...
 
---display: the command draws, and gets a display of its own where xvfb-run is; one that the environment names may be
-that of another machine. --to FILE: what it prints becomes FILE, once it has ended well. A check that does not hold (exit
+--display: the command draws, and gets a display of its own where Xvfb is; one that the environment names may be that
+of another machine. --to FILE: what it prints becomes FILE, once it has ended well. A check that does not hold (exit
 code 7) leaves its results and is no failure here; the page tells it."""
 
 import json
@@ -18,11 +18,23 @@ import time
 CHECK_FAILED = 7
 
 
-def with_display(command):
-    if not shutil.which("xvfb-run"):
-        return command
-    os.environ["LIBGL_ALWAYS_SOFTWARE"] = "1"
-    return ["xvfb-run", "-a", "-s", "-screen 0 1600x1200x24", *command]
+def start_display():
+    """A display in memory, which this names in the environment; None if there cannot be one."""
+    if not shutil.which("Xvfb"):
+        return None
+    reads, writes = os.pipe()
+    server = subprocess.Popen(
+        ["Xvfb", "-displayfd", str(writes), "-screen", "0", "1600x1200x24", "-nolisten", "tcp"],
+        pass_fds=[writes],
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.DEVNULL,
+    )
+    os.close(writes)
+    with os.fdopen(reads) as told:
+        number = told.readline().strip()  # nothing if it ends
+    if number:
+        os.environ |= {"DISPLAY": f":{number}", "LIBGL_ALWAYS_SOFTWARE": "1"}
+    return server
 
 
 def run(command, log, printed):
@@ -49,7 +61,11 @@ def main(arguments):
     if os.path.exists(record):
         os.remove(record)
     start = time.monotonic()
-    code = run(with_display(command) if drawn else command, log, f"{to}.part" if to else "")
+    display = start_display() if drawn else None
+    code = run(command, log, f"{to}.part" if to else "")
+    if display:
+        display.terminate()
+        display.wait()
     if to and code in (0, CHECK_FAILED):
         os.replace(f"{to}.part", to)
     elif to:

@@ -16,7 +16,7 @@ jobs() {
 }
 
 left=$(jobs) || exit
-echo "$left" | awk '$2 == "PD" { print $1 }' | xargs -r scancel
+echo "$left" | awk '$2 == "PD" { print $1 }' | xargs -r scancel --state=PENDING
 left=$(jobs) || exit
 [ -z "$left" ] || echo "waiting for $(echo "$left" | wc -l) jobs of the run before" >&2
 while [ -n "$left" ]; do
