@@ -75,6 +75,19 @@ double voxelsMeanwhile(const ImageGeometry& geometry, double sideMm) {
   return asRead + most;
 }
 
+StageNeed needOf(std::span<const StageNeed> needs, std::string_view stage) {
+  const auto need = std::ranges::find(needs, stage, &StageNeed::stage);
+  if (need == needs.end()) throw std::out_of_range("there is no stage " + std::string(stage));
+  return *need;
+}
+
+/// Where a stage reads and resamples the CT itself.
+std::uint64_t bytesWithImport(std::string_view stage, const ImageGeometry& geometry,
+                              double sideMm) {
+  return std::max(stageNeed(stage, geometry, sideMm).bytes,
+                  stageNeed("import", geometry, sideMm).bytes);
+}
+
 std::string sizeText(const ImageGeometry& geometry) {
   return std::to_string(geometry.size[0]) + " x " + std::to_string(geometry.size[1]) + " x " +
          std::to_string(geometry.size[2]) + " voxels";
@@ -99,10 +112,7 @@ std::vector<StageNeed> stageNeeds(double voxels) {
 }
 
 StageNeed stageNeed(std::string_view stage, double voxels) {
-  for (const StageNeed& need : stageNeeds(voxels)) {
-    if (need.stage == stage) return need;
-  }
-  throw std::out_of_range("there is no stage " + std::string(stage));
+  return needOf(stageNeeds(voxels), stage);
 }
 
 std::vector<StageNeed> stageNeeds(const ImageGeometry& geometry, double sideMm) {
@@ -116,10 +126,7 @@ std::vector<StageNeed> stageNeeds(const ImageGeometry& geometry, double sideMm) 
 }
 
 StageNeed stageNeed(std::string_view stage, const ImageGeometry& geometry, double sideMm) {
-  for (const StageNeed& need : stageNeeds(geometry, sideMm)) {
-    if (need.stage == stage) return need;
-  }
-  throw std::out_of_range("there is no stage " + std::string(stage));
+  return needOf(stageNeeds(geometry, sideMm), stage);
 }
 
 Json toJson(std::span<const StageNeed> needs) {
@@ -137,17 +144,6 @@ double voxelsAt(const ImageGeometry& geometry, double sideMm) {
   const std::array<double, 3> size = sizeAt(geometry, sideMm);
   return size[0] * size[1] * size[2];
 }
-
-namespace {
-
-/// Where a stage reads and resamples the CT itself.
-std::uint64_t bytesWithImport(std::string_view stage, const ImageGeometry& geometry,
-                              double sideMm) {
-  return std::max(stageNeed(stage, geometry, sideMm).bytes,
-                  stageNeed("import", geometry, sideMm).bytes);
-}
-
-}  // namespace
 
 std::optional<double> sideThatFits(std::string_view stage, const ImageGeometry& geometry,
                                    std::uint64_t bytes) {
