@@ -8,6 +8,7 @@
 
 #include "core/error.h"
 #include "io/atomic_file.h"
+#include "io/refusal.h"
 
 namespace pneuma {
 namespace {
@@ -34,21 +35,11 @@ class LandmarkFileTest : public ::testing::Test {
 
   std::string refusalOfFiles(const Files& contents,
                              const std::optional<LandmarkVoxels>& voxels) const {
-    try {
-      readFiles(contents, voxels);
-    } catch (const InvalidInput& error) {
-      return error.what();
-    }
-    return "";
+    return testing::refusalOf([&] { readFiles(contents, voxels); });
   }
 
   std::string refusal(const std::string& content) const {
-    try {
-      read(content);
-    } catch (const InvalidInput& error) {
-      return error.what();
-    }
-    return "";
+    return testing::refusalOf([&] { read(content); });
   }
 
   void TearDown() override {

@@ -5,6 +5,7 @@
 
 #include "core/error.h"
 #include "io/atomic_file.h"
+#include "io/refusal.h"
 #include "io/temp_folder.h"
 
 namespace pneuma {
@@ -24,12 +25,7 @@ class NumberTables : public ::testing::Test {
   }
 
   std::string refusal(const std::string& content) const {
-    try {
-      read(content);
-    } catch (const InvalidInput& error) {
-      return error.what();
-    }
-    return "";
+    return testing::refusalOf([&] { read(content); });
   }
 
  private:
