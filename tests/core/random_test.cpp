@@ -54,22 +54,22 @@ TEST(Random, KeepsToItsLimits) {
 
 TEST(Random, NormalNumbersHaveTheMomentsOfTheirLaw) {
   Random random(4);
-  constexpr int Count = 200000;
+  constexpr int Draws = 200000;
   double sum = 0.0;
   double squares = 0.0;
   double fourths = 0.0;
   int beyondTwo = 0;
-  for (int i = 0; i < Count; ++i) {
+  for (int i = 0; i < Draws; ++i) {
     const double v = random.normal();
     sum += v;
     squares += v * v;
     fourths += v * v * v * v;
     beyondTwo += std::abs(v) > 2.0 ? 1 : 0;
   }
-  EXPECT_NEAR(sum / Count, 0.0, 0.01);
-  EXPECT_NEAR(squares / Count, 1.0, 0.02);
-  EXPECT_NEAR(fourths / Count, 3.0, 0.1);
-  EXPECT_NEAR(beyondTwo / static_cast<double>(Count), 0.0455, 0.002);
+  EXPECT_NEAR(sum / Draws, 0.0, 0.01);
+  EXPECT_NEAR(squares / Draws, 1.0, 0.02);
+  EXPECT_NEAR(fourths / Draws, 3.0, 0.1);
+  EXPECT_NEAR(beyondTwo / static_cast<double>(Draws), 0.0455, 0.002);
 }
 
 TEST(Random, NormalNumbersAreTheSameForTheSameSeed) {

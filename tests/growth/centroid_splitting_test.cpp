@@ -26,11 +26,11 @@ SplitRules paperRules() {
           .spacingMm = 3.2298};
 }
 
-SplitInlet straightDown() { return {Vec3::Zero(), -Vec3::UnitZ(), Vec3::UnitX()}; }
+SplitInlet fromAbove() { return {Vec3::Zero(), -Vec3::UnitZ(), Vec3::UnitX()}; }
 
 TEST(PointSplitter, FivePointsAreATerminal) {
   const std::vector<Vec3> points(5, Vec3(0, 0, -30));
-  const SplitTree tree = splitPoints(straightDown(), points, *ball(100.0), paperRules());
+  const SplitTree tree = splitPoints(fromAbove(), points, *ball(100.0), paperRules());
   EXPECT_TRUE(tree.branches.empty());
   EXPECT_EQ(tree.inletPoints, 5U);
 }
@@ -42,7 +42,7 @@ TEST(PointSplitter, SixPointsSplitInTwoAlongTheCentroids) {
     points.emplace_back(x, -20.0, -30.0);
     points.emplace_back(x, 20.0, -30.0);
   }
-  const SplitTree tree = splitPoints(straightDown(), points, *ball(100.0), paperRules());
+  const SplitTree tree = splitPoints(fromAbove(), points, *ball(100.0), paperRules());
   ASSERT_EQ(tree.branches.size(), 2U);
   for (const SplitBranch& branch : tree.branches) {
     EXPECT_EQ(branch.parent, -1);
@@ -60,7 +60,7 @@ TEST(PointSplitter, TurnsBranchesIntoTheAngleLimitsWithoutChangingTheirLength) {
       points.emplace_back(x, -sideways, -30.0);
       points.emplace_back(x, sideways, -30.0);
     }
-    const SplitTree tree = splitPoints(straightDown(), points, *ball(200.0), paperRules());
+    const SplitTree tree = splitPoints(fromAbove(), points, *ball(200.0), paperRules());
     ASSERT_EQ(tree.branches.size(), 2U);
     for (const SplitBranch& branch : tree.branches) {
       EXPECT_NEAR(degrees(angleBetween(branch.end, -Vec3::UnitZ())), expectedDeg, 1e-6);
@@ -75,7 +75,7 @@ TEST(PointSplitter, BooksThePointsOfADaughterThatIsTooShortToItsMother) {
     points.emplace_back(x, -1.0, -1.0);  // 0.41 * 1.4 mm is shorter than 1.2 mm
     points.emplace_back(x, 20.0, -30.0);
   }
-  const SplitTree tree = splitPoints(straightDown(), points, *ball(100.0), paperRules());
+  const SplitTree tree = splitPoints(fromAbove(), points, *ball(100.0), paperRules());
   ASSERT_EQ(tree.branches.size(), 1U);
   EXPECT_EQ(tree.branches[0].points, 3U);
   EXPECT_EQ(tree.inletPoints, 3U);

@@ -4,21 +4,13 @@
 
 #include "core/error.h"
 #include "geometry/test_surfaces.h"
+#include "lobes/egg_lung.h"
 #include "lobes/fissure_proposal.h"
 
 namespace pneuma {
 namespace {
 
 constexpr double SpacingMm = 4.0;
-
-/// An egg of a lung's size, its apex up.
-TriangleMesh egg() {
-  TriangleMesh mesh = testing::sphere(1.0, Vec3::Zero(), 5);
-  for (Vec3& p : mesh.points) {
-    p = p.cwiseProduct(Vec3(55.0, 80.0, 115.0)) * (1.0 - 0.15 * p.z());
-  }
-  return mesh;
-}
 
 FissureSurfaces proposals(const TriangleMesh& lung, Side side) {
   FissureSurfaces fissures;
@@ -52,7 +44,7 @@ TEST(LungBox, RefusesWhatIsNoLung) {
 }
 
 TEST(LobeSplitting, ProposalsGiveLobesInTheirPlaces) {
-  const TriangleMesh lung = egg();
+  const TriangleMesh lung = eggLung();
   for (const Side side : {Side::Right, Side::Left}) {
     const SplitLung split = splitLung(lung, side, proposals(lung, side), SpacingMm);
     for (const Lobe lobe : lobesOf(side)) EXPECT_GT(share(split, lobe), 0.05) << shortName(lobe);
@@ -67,7 +59,7 @@ TEST(LobeSplitting, ProposalsGiveLobesInTheirPlaces) {
 }
 
 TEST(LobeSplitting, ReachesWantedShares) {
-  const TriangleMesh lung = egg();
+  const TriangleMesh lung = eggLung();
   const LobeShares wanted = {0.36, 0.18, 0.46};  // Huang 2004
   const FissureSurfaces fissures =
       withShares(lung, Side::Right, proposals(lung, Side::Right), wanted, SpacingMm);
@@ -94,7 +86,7 @@ TEST(LobeSplitting, ReachesWantedSharesOfACoarseLung) {
 }
 
 TEST(LobeSplitting, RefusesSharesThatCannotBe) {
-  const TriangleMesh lung = egg();
+  const TriangleMesh lung = eggLung();
   const FissureSurfaces fissures = proposals(lung, Side::Left);
   EXPECT_THROW(withShares(lung, Side::Left, fissures, {0.5, 0.6}, SpacingMm), InvalidInput);
   EXPECT_THROW(withShares(lung, Side::Left, fissures, {1.0}, SpacingMm), InvalidInput);

@@ -31,7 +31,7 @@ TriangleMesh sheet(const std::function<Vec3(double, double)>& place) {
   return mesh;
 }
 
-Vec3 bent(double a, double b) {
+Vec3 bentPatch(double a, double b) {
   return {60.0 * a, 80.0 * b, 10.0 + 20.0 * b + 8.0 * std::cos(2.0 * a) * std::sin(2.0 * b)};
 }
 
@@ -67,7 +67,7 @@ TEST(PatchSurface, BecomesAHeightThatItsPointsLieUpon) {
   EXPECT_LE(fit.largestMm, 0.2);
   EXPECT_LE(fit.meanMm, 0.05);
   EXPECT_LE(fit.knots, 800U);
-  EXPECT_NEAR(fit.surface.distance(bent(0.123, -0.456)), 0.0, 0.2);
+  EXPECT_NEAR(fit.surface.distance(bentPatch(0.123, -0.456)), 0.0, 0.2);
   EXPECT_GT(fit.surface.normal().z(), 0.0);
   EXPECT_FALSE(fit.fold.has_value());
 }

@@ -18,11 +18,11 @@ namespace {
 using testing::contactsIn;
 using testing::expectSound;
 
-constexpr RegionId Upper = 1;
-constexpr RegionId Middle = 2;
-constexpr RegionId Lower = 3;
-constexpr SplitRegion Oblique = {.region = Upper, .below = Lower, .above = Upper};
-constexpr SplitRegion Horizontal = {.region = Upper, .below = Middle, .above = Upper};
+constexpr RegionId UpperPart = 1;
+constexpr RegionId MiddlePart = 2;
+constexpr RegionId LowerPart = 3;
+constexpr SplitRegion Oblique = {.region = UpperPart, .below = LowerPart, .above = UpperPart};
+constexpr SplitRegion Horizontal = {.region = UpperPart, .below = MiddlePart, .above = UpperPart};
 
 /// An ellipsoid of a lung's size, the same on both sides of its middle.
 TriangleMesh ellipsoid(int levels = 5) {
@@ -97,7 +97,7 @@ FissureSheet sheetOf(TriangleMesh mesh, double extendMm = 0.0) {
 }
 
 std::string refusal(const FissureSheet& sheet) {
-  RegionComplex complex = complexOf(ellipsoid(4), Upper);
+  RegionComplex complex = complexOf(ellipsoid(4), UpperPart);
   const std::size_t before = complex.facets.size();
   try {
     splitRegion(complex, sheet, Oblique, "oblique fissure");
@@ -118,30 +118,30 @@ HeightSurface planeAt(const Vec3& centre, const Vec3& normal) {
 }
 
 TEST(SheetSplitting, AnOverhangingSheetThatIsTheSameTurnedHalvesTheLung) {
-  RegionComplex complex = complexOf(ellipsoid(), Upper);
-  const double whole = volumeMm3(complex, Upper);
+  RegionComplex complex = complexOf(ellipsoid(), UpperPart);
+  const double whole = volumeMm3(complex, UpperPart);
   const SplitReport report = splitRegion(complex, sheetOf(overhanging()), Oblique, "fissure");
-  expectSound(complex, Lower);
-  expectSound(complex, Upper);
-  EXPECT_NEAR(volumeMm3(complex, Lower) / whole, 0.5, 1e-12);
-  EXPECT_NEAR((volumeMm3(complex, Lower) + volumeMm3(complex, Upper)) / whole, 1.0, 1e-13);
+  expectSound(complex, LowerPart);
+  expectSound(complex, UpperPart);
+  EXPECT_NEAR(volumeMm3(complex, LowerPart) / whole, 0.5, 1e-12);
+  EXPECT_NEAR((volumeMm3(complex, LowerPart) + volumeMm3(complex, UpperPart)) / whole, 1.0, 1e-13);
   EXPECT_EQ(report.piecesJoined, 0U);
-  EXPECT_NEAR(report.contactMm2, areaMm2(contactOf(complex, Lower, Upper)), 1e-6);
+  EXPECT_NEAR(report.contactMm2, areaMm2(contactOf(complex, LowerPart, UpperPart)), 1e-6);
   // Under the overhang is above, over it is below.
-  const auto lowerAt = bounds(surfaceOf(complex, Lower).mesh);
+  const auto lowerAt = bounds(surfaceOf(complex, LowerPart).mesh);
   EXPECT_LT(lowerAt.min().z(), -100.0);
-  EXPECT_LT(lowerAt.center().z(), bounds(surfaceOf(complex, Upper).mesh).center().z());
+  EXPECT_LT(lowerAt.center().z(), bounds(surfaceOf(complex, UpperPart).mesh).center().z());
 }
 
 TEST(SheetSplitting, AMushroomAddsItsBallToTheLowerPart) {
-  RegionComplex complex = complexOf(ellipsoid(6), Upper);
-  const double whole = volumeMm3(complex, Upper);
+  RegionComplex complex = complexOf(ellipsoid(6), UpperPart);
+  const double whole = volumeMm3(complex, UpperPart);
   splitRegion(complex, sheetOf(welded(mushroom())), Oblique, "fissure");
-  expectSound(complex, Lower);
-  expectSound(complex, Upper);
+  expectSound(complex, LowerPart);
+  expectSound(complex, UpperPart);
   // Of a ball (R, middle at c) what is above 0: pi (R + c)^2 (2 R - c) / 3.
   const double ball = std::numbers::pi * 45.0 * 45.0 * 45.0 / 3.0;
-  EXPECT_NEAR((volumeMm3(complex, Lower) - whole / 2.0) / ball, 1.0, 3e-3);
+  EXPECT_NEAR((volumeMm3(complex, LowerPart) - whole / 2.0) / ball, 1.0, 3e-3);
 }
 
 TEST(SheetSplitting, SharesTrianglesAtTheTripleLineInEveryOrder) {
@@ -153,8 +153,8 @@ TEST(SheetSplitting, SharesTrianglesAtTheTripleLineInEveryOrder) {
     splitRegion(complex, fissure, settings, "fissure");
   };
   for (int order = 0; order < 3; ++order) {
-    RegionComplex complex = complexOf(ellipsoid(), Upper);
-    const double whole = volumeMm3(complex, Upper);
+    RegionComplex complex = complexOf(ellipsoid(), UpperPart);
+    const double whole = volumeMm3(complex, UpperPart);
     if (order == 0) cut(complex, low, Oblique), cut(complex, plane, Horizontal);
     if (order == 1) cut(complex, steep, Oblique), cut(complex, high, Horizontal);
     if (order == 2) {
@@ -163,15 +163,15 @@ TEST(SheetSplitting, SharesTrianglesAtTheTripleLineInEveryOrder) {
       cut(complex, low, Oblique), cut(complex, sheetOf(crossing), Horizontal);
     }
     double sum = 0.0;
-    for (const RegionId region : {Upper, Middle, Lower}) {
+    for (const RegionId region : {UpperPart, MiddlePart, LowerPart}) {
       expectSound(complex, region);
       sum += volumeMm3(complex, region);
     }
     EXPECT_NEAR(sum / whole, 1.0, 1e-12);
     auto contacts = contactsIn(complex);
-    EXPECT_GT((contacts[{Lower, Middle}]), 10) << order;
-    EXPECT_GT((contacts[{Lower, Upper}]), 10) << order;
-    EXPECT_GT((contacts[{Middle, Upper}]), 100) << order;
+    EXPECT_GT((contacts[{LowerPart, MiddlePart}]), 10) << order;
+    EXPECT_GT((contacts[{LowerPart, UpperPart}]), 10) << order;
+    EXPECT_GT((contacts[{MiddlePart, UpperPart}]), 100) << order;
   }
 }
 
@@ -187,15 +187,15 @@ TEST(SheetSplitting, RefusesASheetThatEndsInsideAndSaysWhereAndHowDeep) {
 }
 
 TEST(SheetSplitting, GoesOnToTheWallFromARimUponIt) {
-  RegionComplex complex = complexOf(ellipsoid(), Upper);
+  RegionComplex complex = complexOf(ellipsoid(), UpperPart);
   splitRegion(complex, sheetOf(overhanging()), Oblique, "fissure");
-  const TriangleMesh contact = contactOf(complex, Lower, Upper);
-  const double below = volumeMm3(complex, Lower);
-  RegionComplex again = complexOf(ellipsoid(), Upper);
+  const TriangleMesh contact = contactOf(complex, LowerPart, UpperPart);
+  const double below = volumeMm3(complex, LowerPart);
+  RegionComplex again = complexOf(ellipsoid(), UpperPart);
   splitRegion(again, sheetOf(contact), Oblique, "fissure");
-  expectSound(again, Lower);
-  expectSound(again, Upper);
-  EXPECT_NEAR(volumeMm3(again, Lower) / below, 1.0, 1e-5);
+  expectSound(again, LowerPart);
+  expectSound(again, UpperPart);
+  EXPECT_NEAR(volumeMm3(again, LowerPart) / below, 1.0, 1e-5);
 }
 
 TEST(SheetSplitting, RefusesASheetThatOneComesAround) {
@@ -203,7 +203,7 @@ TEST(SheetSplitting, RefusesASheetThatOneComesAround) {
   const TriangleMesh half =
       bentGrid(20, 20, [](double a, double b) { return Vec3(60.0 + 40.0 * a, 5.0 * a, 40.0 * b); });
   const FissureSheet sheet = fissureSheet(half, Vec3::UnitY(), 0.0, "surface");
-  RegionComplex complex = complexOf(testing::torus(60.0, 25.0), Upper);
+  RegionComplex complex = complexOf(testing::torus(60.0, 25.0), UpperPart);
   try {
     splitRegion(complex, sheet, Oblique, "oblique fissure");
     FAIL();
@@ -223,13 +223,13 @@ TEST(SheetSplitting, CutsEveryPieceOfALungOfSeveralAndLeavesThoseBesideWhole) {
     const double x = 75.0 * (2.0 * a - 1.0) + 45.0 * std::sin(2.0 * std::numbers::pi * a);
     return Vec3(x + 10.0, 100.0 * b, 20.0 * std::cos(std::numbers::pi * a));
   });
-  RegionComplex complex = complexOf(lungs, Upper);
-  const double whole = volumeMm3(complex, Upper);
+  RegionComplex complex = complexOf(lungs, UpperPart);
+  const double whole = volumeMm3(complex, UpperPart);
   splitRegion(complex, sheetOf(sheet), Oblique, "fissure");
-  EXPECT_EQ(pieceCount(complex, Lower) + pieceCount(complex, Upper), 5U);
-  expectSound(complex, Lower, pieceCount(complex, Lower));
-  expectSound(complex, Upper, pieceCount(complex, Upper));
-  EXPECT_NEAR((volumeMm3(complex, Upper) + volumeMm3(complex, Lower)) / whole, 1.0, 1e-13);
+  EXPECT_EQ(pieceCount(complex, LowerPart) + pieceCount(complex, UpperPart), 5U);
+  expectSound(complex, LowerPart, pieceCount(complex, LowerPart));
+  expectSound(complex, UpperPart, pieceCount(complex, UpperPart));
+  EXPECT_NEAR((volumeMm3(complex, UpperPart) + volumeMm3(complex, LowerPart)) / whole, 1.0, 1e-13);
 }
 
 TEST(SheetSplitting, RefusesWhatIsNoSheet) {
@@ -267,15 +267,15 @@ TEST_P(RandomSheets, SplitIntoThreeSoundLobes) {
     p.z() += wave * std::sin(0.07 * p.y());
     p = turn * (tilt * p);
   }
-  RegionComplex complex = complexOf(lung, Upper);
-  const double whole = volumeMm3(complex, Upper);
+  RegionComplex complex = complexOf(lung, UpperPart);
+  const double whole = volumeMm3(complex, UpperPart);
   splitRegion(complex, sheetOf(sheet), Oblique, "oblique fissure");
   splitRegion(complex,
               planeAt({0.0, -30.0, random.uniform(25.0, 45.0)},
                       {random.uniform(-0.2, 0.2), random.uniform(-0.2, 0.4), 1.0}),
               Horizontal, "horizontal fissure");
   double sum = 0.0;
-  for (const RegionId region : {Upper, Middle, Lower}) {
+  for (const RegionId region : {UpperPart, MiddlePart, LowerPart}) {
     expectSound(complex, region);
     sum += volumeMm3(complex, region);
   }

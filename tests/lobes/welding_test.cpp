@@ -4,6 +4,7 @@
 
 #include "geometry/mesh_topology.h"
 #include "geometry/test_surfaces.h"
+#include "lobes/egg_lung.h"
 #include "lobes/fissure_proposal.h"
 #include "lobes/height_table.h"
 #include "lobes/lobe_splitting.h"
@@ -11,16 +12,8 @@
 namespace pneuma {
 namespace {
 
-TriangleMesh egg() {
-  TriangleMesh mesh = testing::sphere(1.0, Vec3::Zero(), 5);
-  for (Vec3& p : mesh.points) {
-    p = p.cwiseProduct(Vec3(55.0, 80.0, 115.0)) * (1.0 - 0.15 * p.z());
-  }
-  return mesh;
-}
-
 TEST(Welding, GivesTheLungOfItsLobesBack) {
-  const TriangleMesh lung = egg();
+  const TriangleMesh lung = eggLung();
   FissureSurfaces fissures;
   for (const Fissure fissure : fissuresOf(Side::Right)) {
     fissures[fissure] = proposedFissure(fissure, lungBox(lung));
@@ -62,7 +55,7 @@ TEST(Welding, CountsOverlapOfTheSameTriangles) {
 }
 
 TEST(HeightTable, TellsBelowAsTheFormulaDoes) {
-  const TriangleMesh lung = egg();
+  const TriangleMesh lung = eggLung();
   HeightSurface surface = proposedFissure(Fissure::RightOblique, lungBox(lung));
   for (int i = 0; i < 12; ++i) {
     surface.knots.emplace_back(0.3 * i - 1.5, 0.2 * (i % 4));
