@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <limits>
 #include <sstream>
@@ -9,6 +10,10 @@
 
 namespace pneuma {
 namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uint64_t NoLimit = std::numeric_limits<std::uint64_t>::max();
 
 /// Bytes of the line "NAME:   12345678 kB"; 0 if there is none.
 std::uint64_t bytesOf(const char* file, const std::string& name) {
@@ -35,15 +40,73 @@ std::uint64_t leftOf(const std::string& limit, const std::string& used) {
     const std::uint64_t taken = bytesOf("/proc/self/status", used);
     return bytes > taken ? bytes - taken : 1;
   }
-  return std::numeric_limits<std::uint64_t>::max();
+  return NoLimit;
+}
+
+/// Files that tell of one control group.
+struct GroupFiles {
+  const char* limit;
+  const char* used;
+  const char* reclaimable;  ///< its name in memory.stat
+};
+
+constexpr GroupFiles Version1 = {"memory.limit_in_bytes", "memory.usage_in_bytes",
+                                 "total_inactive_file"};
+constexpr GroupFiles Version2 = {"memory.max", "memory.current", "inactive_file"};
+
+/// What one group leaves of its limit.
+std::uint64_t leftOfGroup(const fs::path& folder, const GroupFiles& files) {
+  std::uint64_t limit = 0;
+  std::uint64_t used = 0;
+  if (!(std::ifstream(folder / files.limit) >> limit)) return NoLimit;  // "max", or no such group
+  if (!(std::ifstream(folder / files.used) >> used)) return NoLimit;
+  std::ifstream stat(folder / "memory.stat");
+  std::string name;
+  std::uint64_t value = 0;
+  while (stat >> name >> value) {
+    if (name == files.reclaimable) used -= std::min(used, value);
+  }
+  return limit > used ? limit - used : 1;
+}
+
+/// What a group and those above it leave; a container may name its group by the path that it has
+/// outside, and then has its own limits in `top`.
+std::uint64_t leftOfGroups(const fs::path& top, const std::string& group, const GroupFiles& files) {
+  std::uint64_t left = leftOfGroup(top, files);
+  fs::path folder = top;
+  for (const fs::path& part : fs::path(group).relative_path()) {
+    folder /= part;
+    left = std::min(left, leftOfGroup(folder, files));
+  }
+  return left;
 }
 
 }  // namespace
 
+std::uint64_t memoryLeftInGroups(const std::string& root) {
+  const fs::path groups = root + "/sys/fs/cgroup";
+  std::ifstream lines(root + "/proc/self/cgroup");
+  std::uint64_t left = NoLimit;
+  std::string line;
+  while (std::getline(lines, line)) {  // number:controllers:path
+    const std::size_t first = line.find(':');
+    const std::size_t second = first == std::string::npos ? first : line.find(':', first + 1);
+    if (second == std::string::npos) continue;
+    const std::string controllers = "," + line.substr(first + 1, second - first - 1) + ",";
+    const std::string path = line.substr(second + 1);
+    if (controllers == ",,") left = std::min(left, leftOfGroups(groups, path, Version2));
+    if (controllers.find(",memory,") != std::string::npos) {
+      left = std::min(left, leftOfGroups(groups / "memory", path, Version1));
+    }
+  }
+  return left;
+}
+
 std::uint64_t availableMemoryBytes() {
   const std::uint64_t free = bytesOf("/proc/meminfo", "MemAvailable");
   if (free == 0) return 0;
-  return std::min({free, leftOf("Max data size", "VmData"), leftOf("Max address space", "VmSize")});
+  return std::min({free, leftOf("Max data size", "VmData"), leftOf("Max address space", "VmSize"),
+                   memoryLeftInGroups()});
 }
 
 }  // namespace pneuma

@@ -1,11 +1,20 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 namespace pneuma {
 
 /// Memory that this process could still take without swapping, bytes; 0 where the system does not
-/// tell (anywhere but on Linux).
+/// tell (anywhere but on Linux). Least of what the machine has, of what limits on the process leave
+/// (--max-memory, ulimit), and of what the control group leaves in which it runs (a job of Slurm, a
+/// container).
 std::uint64_t availableMemoryBytes();
+
+/// What the control groups of this process leave of their limits, bytes: its own and those above,
+/// of version 1 or 2; the greatest number there is where none limits it. Pages of files that the
+/// kernel would give up count as free.
+/// @param root the folder in which proc/self/cgroup and sys/fs/cgroup stand
+std::uint64_t memoryLeftInGroups(const std::string& root = "");
 
 }  // namespace pneuma

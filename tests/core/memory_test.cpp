@@ -1,0 +1,95 @@
+#include "core/memory.h"
+
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <string>
+
+#include <gtest/gtest.h>
+
+namespace pneuma {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uint64_t NoLimit = std::numeric_limits<std::uint64_t>::max();
+
+/// A folder that stands for "/", with files of control groups.
+class MemoryGroups : public ::testing::Test {
+ protected:
+  MemoryGroups() {
+    root_ = ::testing::TempDir() + "pneuma_groups_" +
+            ::testing::UnitTest::GetInstance()->current_test_info()->name();
+    fs::remove_all(root_);
+  }
+
+  ~MemoryGroups() override { fs::remove_all(root_); }
+
+  void write(const std::string& file, const std::string& text) const {
+    const fs::path path = root_ + "/" + file;
+    fs::create_directories(path.parent_path());
+    std::ofstream(path) << text;
+  }
+
+  std::uint64_t left() const { return memoryLeftInGroups(root_); }
+
+ private:
+  std::string root_;
+};
+
+TEST_F(MemoryGroups, NoneLeavesAll) { EXPECT_EQ(left(), NoLimit); }
+
+TEST_F(MemoryGroups, TheTightestOfVersion2Counts) {
+  write("proc/self/cgroup", "0::/slurm/job_7/step_0\n");
+  write("sys/fs/cgroup/slurm/memory.max", "9000\n");
+  write("sys/fs/cgroup/slurm/memory.current", "8500\n");
+  write("sys/fs/cgroup/slurm/job_7/memory.max", "4000\n");
+  write("sys/fs/cgroup/slurm/job_7/memory.current", "1000\n");
+  write("sys/fs/cgroup/slurm/job_7/step_0/memory.max", "max\n");
+  write("sys/fs/cgroup/slurm/job_7/step_0/memory.current", "1000\n");
+  EXPECT_EQ(left(), 500U);
+  write("sys/fs/cgroup/slurm/memory.max", "max\n");
+  EXPECT_EQ(left(), 3000U);
+}
+
+TEST_F(MemoryGroups, PagesOfFilesThatCanGoAreFree) {
+  write("proc/self/cgroup", "0::/job\n");
+  write("sys/fs/cgroup/job/memory.max", "4000\n");
+  write("sys/fs/cgroup/job/memory.current", "3000\n");
+  write("sys/fs/cgroup/job/memory.stat", "anon 500\ninactive_file 2000\nactive_file 500\n");
+  EXPECT_EQ(left(), 3000U);
+}
+
+TEST_F(MemoryGroups, AFullOneLeavesNextToNothing) {
+  write("proc/self/cgroup", "0::/job\n");
+  write("sys/fs/cgroup/job/memory.max", "4000\n");
+  write("sys/fs/cgroup/job/memory.current", "4001\n");
+  EXPECT_EQ(left(), 1U) << "0 would mean that nobody knows";
+}
+
+TEST_F(MemoryGroups, Version1HasAFolderOfItsOwn) {
+  write("proc/self/cgroup", "5:devices:/\n4:cpu,memory:/lent/7\n0::/\n");
+  write("sys/fs/cgroup/memory/memory.limit_in_bytes", "9223372036854771712\n");
+  write("sys/fs/cgroup/memory/memory.usage_in_bytes", "5000\n");
+  write("sys/fs/cgroup/memory/lent/7/memory.limit_in_bytes", "4000\n");
+  write("sys/fs/cgroup/memory/lent/7/memory.usage_in_bytes", "3000\n");
+  write("sys/fs/cgroup/memory/lent/7/memory.stat", "inactive_file 100\ntotal_inactive_file 400\n");
+  EXPECT_EQ(left(), 1400U);
+}
+
+TEST_F(MemoryGroups, AContainerMayNotSeeThePathOfItsGroup) {
+  write("proc/self/cgroup", "0::/docker/abc\n");
+  write("sys/fs/cgroup/memory.max", "4000\n");
+  write("sys/fs/cgroup/memory.current", "1000\n");
+  EXPECT_EQ(left(), 3000U);
+}
+
+TEST(AvailableMemory, IsNoMoreThanTheGroupsLeave) {
+  const std::uint64_t available = availableMemoryBytes();
+  ASSERT_GT(available, 0U);
+  EXPECT_LE(available / 2, memoryLeftInGroups() / 2 + (32U << 20U))
+      << "files may have been read meanwhile";
+}
+
+}  // namespace
+}  // namespace pneuma
