@@ -90,6 +90,9 @@ wait "$head" 2>/dev/null
 finished=$(grep -c '^Finished job' "$logs/killed")
 expect "it was not running" test "$finished" -ge 8 -a "$finished" -lt 45
 (cd study && PATH=/usr/bin:$PATH snakemake --unlock) >"$logs/flow" 2>&1
+flow local table
+expect "the table does not tell that something was running: $(cut -d, -f1-8 study/table.csv)" \
+  grep -q 'not finished,.*started, and no end was told' study/table.csv
 flow local --cores 2
 expect "it ends with $code" test "$code" -eq 0
 again=$(grep -c '^rule' "$logs/flow")

@@ -20,6 +20,7 @@ EXITS = {
 
 CHECK_FAILED = 7
 STOPPED = (130, 143)  # by a person, or by the engine
+STARTED = "started, and no end was told"
 
 
 def meaning(code):
@@ -106,7 +107,8 @@ def at(report, path):
 
 
 def ending(name, stage):
-    """How a stage ended: {"exit": 4, "seconds": 1.2, "peak_mb": 93.0}; empty if it did not run, or was killed."""
+    """How a stage ended: {"exit": 4, "seconds": 1.2, "peak_mb": 93.0, "started": "2026-11-02T09:30:00+0100", "node":
+    "n1"}; only the last two if it still runs, or was killed with its node; empty if it did not run."""
     return read_json("logs", name, f"{stage}.exit")
 
 
@@ -144,8 +146,12 @@ def outcome(name, ct, done, methods, breathing):
     """("done" | "failed" | "not finished", the stage, its exit code, the reason)."""
     left = [stage for stage in stages(methods, breathing) if stage not in done]
     for stage in left:
-        code = ending(name, stage).get("exit", 0)
-        if code not in (0, CHECK_FAILED, *STOPPED) and all(one in done for one in before(stage, methods)):
+        end = ending(name, stage)
+        ready = all(one in done for one in before(stage, methods))
+        if end and "exit" not in end and ready:
+            return "not finished", stage, None, f"{STARTED}: it still runs, or was killed together with what watches it"
+        code = end.get("exit", 0)
+        if code not in (0, CHECK_FAILED, *STOPPED) and ready:
             return "failed", stage, code, anonymous(reason(name, stage), ct) or meaning(code)
         if code in STOPPED:
             return "not finished", stage, code, "it was stopped, by a person or for taking too long"

@@ -1,4 +1,5 @@
-"""Runs one command of one case, and keeps what it said in LOG.log and how it ended in LOG.exit:
+"""Runs one command of one case, and keeps what it said in LOG.log and how it ended in LOG.exit; until then that file
+tells that it was started, and stays like this if it is killed together with its command:
 
     python3 stage.py [--display] [--to FILE] LOG.log COMMAND ARGUMENT...
 
@@ -8,6 +9,7 @@ code 7) leaves its results and is no failure here; the page tells it."""
 
 import json
 import os
+import platform
 import resource
 import shutil
 import signal
@@ -51,6 +53,12 @@ def run(command, log, printed):
     return 128 - code if code < 0 else code
 
 
+def keep(record, told):
+    with open(f"{record}.part", "w", encoding="utf-8") as file:
+        file.write(json.dumps(told) + "\n")
+    os.replace(f"{record}.part", record)
+
+
 def main(arguments):
     drawn = arguments[0] == "--display"
     arguments = arguments[drawn:]
@@ -58,8 +66,8 @@ def main(arguments):
     log, *command = arguments[2:] if to else arguments
     record = os.path.splitext(log)[0] + ".exit"
     os.makedirs(os.path.dirname(log), exist_ok=True)
-    if os.path.exists(record):
-        os.remove(record)
+    begun = {"started": time.strftime("%Y-%m-%dT%H:%M:%S%z"), "node": platform.node()}
+    keep(record, begun)
     start = time.monotonic()
     display = start_display() if drawn else None
     code = run(command, log, f"{to}.part" if to else "")
@@ -75,9 +83,7 @@ def main(arguments):
         "seconds": round(time.monotonic() - start, 3),
         "peak_mb": round(resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss * 1024 / 1e6, 1),
     }
-    with open(f"{record}.part", "w", encoding="utf-8") as file:
-        file.write(json.dumps(ending) + "\n")
-    os.replace(f"{record}.part", record)
+    keep(record, ending | begun)
     with open(log, encoding="utf-8", errors="replace") as said:
         sys.stderr.write(said.read())
     return 0 if code == CHECK_FAILED else code
