@@ -11,34 +11,46 @@
 namespace pneuma {
 namespace {
 
-/// megabytes = still + byVoxels n + bySurface n^(2/3), with n in millions of voxels; seconds alike.
+/// still + byVoxels n + byLungs m + bySurface m^(2/3), with n millions of voxels and m of lungs.
 struct Law {
-  std::string_view stage;
-  double stillMb;
-  double byVoxelsMb;
-  double bySurfaceMb;
-  double stillSeconds;
-  double byVoxelsSeconds;
-  double bySurfaceSeconds;
+  double still;
+  double byVoxels;
+  double byLungs;
+  double bySurface;
 };
 
-constexpr std::array<Law, 10> Laws = {{
-    {"info", 110.0, 2.2, 0.0, 0.5, 0.02, 0.0},
-    {"import", 70.0, 2.1, 0.0, 0.3, 0.03, 0.0},
-    {"segment", 85.0, 4.4, 0.0, 0.5, 0.06, 0.0},
-    {"lobes", 130.0, 8.2, 0.0, 1.0, 0.14, 0.0},
-    {"grow", 150.0, 0.0, 11.5, 3.0, 0.0, 0.25},
-    {"measure", 150.0, 0.0, 11.5, 1.0, 0.0, 0.15},
-    {"breathe", 80.0, 0.0, 42.0, 1.0, 0.0, 0.9},
-    {"render", 460.0, 0.0, 5.0, 1.0, 0.0, 0.15},
-    {"slices", 75.0, 3.0, 0.0, 0.5, 0.01, 0.0},
-    {"report", 480.0, 0.0, 12.0, 3.0, 0.0, 0.2},
+struct StageLaws {
+  std::string_view stage;
+  Law megabytes;
+  Law seconds;
+};
+
+/// Millions of voxels.
+struct VoxelCounts {
+  double all = 0.0;
+  double ofLungs = 0.0;  ///< at most
+};
+
+constexpr std::array<StageLaws, 10> Laws = {{
+    {"info", {110.0, 2.7, 0.0, 0.0}, {0.5, 0.04, 0.0, 0.0}},
+    {"import", {70.0, 2.1, 0.0, 0.0}, {0.3, 0.05, 0.0, 0.0}},
+    {"segment", {100.0, 2.25, 15.5, 0.0}, {0.6, 0.05, 0.45, 0.0}},
+    {"lobes", {140.0, 5.2, 10.5, 0.0}, {1.0, 0.1, 0.4, 0.0}},
+    {"grow", {180.0, 0.0, 0.0, 41.0}, {3.5, 0.0, 0.0, 1.3}},
+    {"measure", {180.0, 0.0, 0.0, 41.0}, {1.0, 0.0, 0.0, 0.9}},
+    {"breathe", {170.0, 0.0, 0.0, 168.0}, {1.5, 0.0, 0.0, 5.2}},
+    {"render", {460.0, 0.0, 0.0, 14.0}, {1.2, 0.0, 0.0, 1.0}},
+    {"slices", {75.0, 3.0, 0.0, 0.0}, {0.5, 0.02, 0.0, 0.0}},
+    {"report", {555.0, 0.0, 0.0, 30.0}, {3.5, 0.0, 0.0, 1.2}},
 }};
 
 constexpr double Million = 1e6;
 /// Laws are rounded up: what takes less than this share of what they say may still fit.
 constexpr double LeastShare = 0.85;
 constexpr double LargestSideMm = 5.0;
+constexpr double LargeLungsMm3 = 7e6;
+/// Of a CT that is cropped to the lungs.
+constexpr double MostOfACt = 0.5;
 /// Below these many millions of voxels a second thread gains less than a second case does.
 constexpr double VoxelsForTwo = 150.0;
 constexpr double VoxelsForFour = 400.0;
@@ -75,10 +87,23 @@ double voxelsMeanwhile(const ImageGeometry& geometry, double sideMm) {
   return asRead + most;
 }
 
-StageNeed needOf(std::span<const StageNeed> needs, std::string_view stage) {
-  const auto need = std::ranges::find(needs, stage, &StageNeed::stage);
-  if (need == needs.end()) throw std::out_of_range("there is no stage " + std::string(stage));
-  return *need;
+double valueOf(const Law& law, const VoxelCounts& voxels) {
+  return law.still + law.byVoxels * voxels.all + law.byLungs * voxels.ofLungs +
+         law.bySurface * std::cbrt(voxels.ofLungs * voxels.ofLungs);
+}
+
+VoxelCounts voxelCounts(const ImageGeometry& geometry, double sideMm) {
+  const double all = voxelsAt(geometry, sideMm) / Million;
+  const double voxelMm3 = sideMm > 0.0 ? sideMm * sideMm * sideMm : geometry.spacing.prod();
+  return {all, std::min(MostOfACt * all, LargeLungsMm3 / voxelMm3 / Million)};
+}
+
+StageNeed needFor(const StageLaws& laws, const VoxelCounts& voxels) {
+  return {laws.stage, static_cast<std::uint64_t>(valueOf(laws.megabytes, voxels) * Million),
+          valueOf(laws.seconds, voxels),
+          voxels.all < VoxelsForTwo    ? 1
+          : voxels.all < VoxelsForFour ? 2
+                                       : 4};
 }
 
 /// Where a stage reads and resamples the CT itself.
@@ -95,38 +120,24 @@ std::string sizeText(const ImageGeometry& geometry) {
 
 }  // namespace
 
-std::vector<StageNeed> stageNeeds(double voxels) {
-  const double volume = std::max(voxels, 0.0) / Million;
-  const double surface = std::cbrt(volume * volume);
-  std::vector<StageNeed> needs;
-  for (const Law& law : Laws) {
-    const double mb = law.stillMb + law.byVoxelsMb * volume + law.bySurfaceMb * surface;
-    needs.push_back(
-        {law.stage, static_cast<std::uint64_t>(mb * Million),
-         law.stillSeconds + law.byVoxelsSeconds * volume + law.bySurfaceSeconds * surface,
-         volume < VoxelsForTwo    ? 1
-         : volume < VoxelsForFour ? 2
-                                  : 4});
-  }
-  return needs;
-}
-
-StageNeed stageNeed(std::string_view stage, double voxels) {
-  return needOf(stageNeeds(voxels), stage);
-}
-
 std::vector<StageNeed> stageNeeds(const ImageGeometry& geometry, double sideMm) {
-  std::vector<StageNeed> needs = stageNeeds(voxelsAt(geometry, sideMm));
-  if (sideMm <= 0.0) return needs;
-  for (StageNeed& need : needs) {
-    if (need.stage == "info") need = stageNeed("info", voxelsAt(geometry, 0.0));
-    if (need.stage == "import") need = stageNeed("import", voxelsMeanwhile(geometry, sideMm));
+  std::vector<StageNeed> needs;
+  for (const StageLaws& laws : Laws) {
+    VoxelCounts voxels = voxelCounts(geometry, sideMm);
+    if (sideMm > 0.0 && laws.stage == "info") voxels = voxelCounts(geometry, 0.0);
+    if (sideMm > 0.0 && laws.stage == "import") {
+      voxels.all = voxelsMeanwhile(geometry, sideMm) / Million;
+    }
+    needs.push_back(needFor(laws, voxels));
   }
   return needs;
 }
 
 StageNeed stageNeed(std::string_view stage, const ImageGeometry& geometry, double sideMm) {
-  return needOf(stageNeeds(geometry, sideMm), stage);
+  for (const StageNeed& need : stageNeeds(geometry, sideMm)) {
+    if (need.stage == stage) return need;
+  }
+  throw std::out_of_range("there is no stage " + std::string(stage));
 }
 
 Json toJson(std::span<const StageNeed> needs) {
@@ -168,10 +179,9 @@ void requireStageFits(std::string_view stage, const std::string& what,
                      sizeText(geometry) + ", and " + megabytes(available) + " are left; ";
   if (side) {
     text += "with voxels of " + textOf(*side) + " mm (--resample " + textOf(*side) +
-            ") it fits, or use a machine with more";
+            ") it fits; or " + adviceForMemory();
   } else {
-    text +=
-        "no coarser voxels would fit either, as it has to be read first; use a machine with more";
+    text += "no coarser voxels would fit either, as it has to be read first; " + adviceForMemory();
   }
   throw Error(ExitCode::OutOfMemory, text);
 }
