@@ -1,12 +1,14 @@
 #include "core/memory.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <limits>
 #include <sstream>
 #include <string>
+#include <string_view>
 
 namespace pneuma {
 namespace {
@@ -43,16 +45,22 @@ std::uint64_t leftOf(const std::string& limit, const std::string& used) {
   return NoLimit;
 }
 
+std::uint64_t leftOfProcess() {
+  return std::min(leftOf("Max data size", "VmData"), leftOf("Max address space", "VmSize"));
+}
+
 /// Files that tell of one control group.
 struct GroupFiles {
   const char* limit;
   const char* used;
-  const char* reclaimable;  ///< its name in memory.stat
+  std::array<std::string_view, 3> reclaimable;  ///< their names in memory.stat
 };
 
-constexpr GroupFiles Version1 = {"memory.limit_in_bytes", "memory.usage_in_bytes",
-                                 "total_inactive_file"};
-constexpr GroupFiles Version2 = {"memory.max", "memory.current", "inactive_file"};
+constexpr GroupFiles Version1 = {"memory.limit_in_bytes",
+                                 "memory.usage_in_bytes",
+                                 {"total_inactive_file", "total_active_file", ""}};
+constexpr GroupFiles Version2 = {
+    "memory.max", "memory.current", {"inactive_file", "active_file", "slab_reclaimable"}};
 
 /// What one group leaves of its limit.
 std::uint64_t leftOfGroup(const fs::path& folder, const GroupFiles& files) {
@@ -64,7 +72,9 @@ std::uint64_t leftOfGroup(const fs::path& folder, const GroupFiles& files) {
   std::string name;
   std::uint64_t value = 0;
   while (stat >> name >> value) {
-    if (name == files.reclaimable) used -= std::min(used, value);
+    if (std::ranges::find(files.reclaimable, name) != files.reclaimable.end()) {
+      used -= std::min(used, value);
+    }
   }
   return limit > used ? limit - used : 1;
 }
@@ -104,9 +114,16 @@ std::uint64_t memoryLeftInGroups(const std::string& root) {
 
 std::uint64_t availableMemoryBytes() {
   const std::uint64_t free = bytesOf("/proc/meminfo", "MemAvailable");
-  if (free == 0) return 0;
-  return std::min({free, leftOf("Max data size", "VmData"), leftOf("Max address space", "VmSize"),
-                   memoryLeftInGroups()});
+  return free == 0 ? 0 : std::min({free, leftOfProcess(), memoryLeftInGroups()});
+}
+
+std::string adviceForMemory() {
+  const std::uint64_t free = bytesOf("/proc/meminfo", "MemAvailable");
+  const std::uint64_t process = leftOfProcess();
+  const std::uint64_t group = memoryLeftInGroups();
+  if (group < std::min(free, process)) return "give the job or the container more";
+  if (process < free) return "give more with --max-memory (or ulimit)";
+  return "close other programs, or use a machine with more";
 }
 
 }  // namespace pneuma

@@ -12,9 +12,13 @@ namespace pneuma {
 std::uint64_t availableMemoryBytes();
 
 /// What the control groups of this process leave of their limits, bytes: its own and those above,
-/// of version 1 or 2; the greatest number there is where none limits it. Pages of files that the
-/// kernel would give up count as free.
+/// of version 1 or 2; the greatest number there is where none limits it. Pages of files, which the
+/// kernel would give up, count as free.
 /// @param root the folder in which proc/self/cgroup and sys/fs/cgroup stand
 std::uint64_t memoryLeftInGroups(const std::string& root = "");
+
+/// What a person can do where availableMemoryBytes() is too little, by what limits it: "close other
+/// programs, or use a machine with more".
+std::string adviceForMemory();
 
 }  // namespace pneuma

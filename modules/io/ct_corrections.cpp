@@ -169,9 +169,8 @@ void requireMemory(std::uint64_t bytes, const std::string& what) {
   const std::uint64_t available = availableMemoryBytes();
   if (available == 0 || bytes <= available) return;
   throw Error(ExitCode::OutOfMemory, what + " takes " + megabytes(bytes) + " MB of memory, but " +
-                                         megabytes(available) +
-                                         " MB are free; close other programs, or use a machine "
-                                         "with more");
+                                         megabytes(available) + " MB are free; " +
+                                         adviceForMemory());
 }
 
 double tiltDeg(const ImageGeometry& geometry) {

@@ -210,7 +210,7 @@ void requireSound(const fs::path& path, const Progress& progress, const ArchiveL
     throw Error(ExitCode::OutOfMemory,
                 "opening " + quoted(path) + " takes " + std::to_string(total >> 20) +
                     " MB of memory, of which " + std::to_string(available >> 20) +
-                    " MB are free; close other programs");
+                    " MB are free; " + adviceForMemory());
   }
 }
 

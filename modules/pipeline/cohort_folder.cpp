@@ -104,9 +104,9 @@ std::string textFor(const WorkflowFile& file, const CohortWorkflow& workflow) {
   const std::string program =
       Json(workflow.program).dump(-1, ' ', false, Json::error_handler_t::replace);
   std::string text = withText(std::string(file.text), "@PNEUMA@", program);
-  // Four fifths of this machine, or an amount that any has where it does not tell.
-  const std::uint64_t bytes =
-      std::max<std::uint64_t>(availableMemoryBytes(), 4'000'000'000) / 5 * 4;
+  // Four fifths of what is free here, or of an amount that any machine has where it does not tell.
+  const std::uint64_t available = availableMemoryBytes();
+  const std::uint64_t bytes = (available == 0 ? 4'000'000'000 : available) / 5 * 4;
   text = withText(text, "@MEMORY@", std::to_string(bytes / 1'000'000));
   return withText(text, "@AGAIN@", workflow.again);
 }

@@ -83,8 +83,8 @@ void requireMemory(const VolumeLayout& layout, std::uint64_t bytes) {
   if (available == 0 || bytes + 4 * Piece <= available) return;
   throw Error(ExitCode::OutOfMemory, quoted(layout.dataFile) + " takes " +
                                          std::to_string(bytes >> 20) + " MB of memory, but only " +
-                                         std::to_string(available >> 20) +
-                                         " MB are free; close other programs or crop the volume");
+                                         std::to_string(available >> 20) + " MB are free; " +
+                                         adviceForMemory() + ", or crop the volume");
 }
 
 /// What may become of a value.
