@@ -85,6 +85,10 @@ for _ in $(seq 3000); do
   [ "$(grep -c '^Finished job' "$logs/killed")" -ge 8 ] && break
   sleep 0.1
 done
+for _ in $(seq 3000); do
+  [ -n "$(grep -L '"exit"' study/logs/*/*.exit)" ] && break # something has started, and not ended
+  sleep 0.02
+done
 kill -9 -- "-$head"
 wait "$head" 2>/dev/null
 finished=$(grep -c '^Finished job' "$logs/killed")
@@ -92,7 +96,7 @@ expect "it was not running" test "$finished" -ge 8 -a "$finished" -lt 45
 (cd study && PATH=/usr/bin:$PATH snakemake --unlock) >"$logs/flow" 2>&1
 flow local table
 expect "the table does not tell that something was running: $(cut -d, -f1-8 study/table.csv)" \
-  grep -q 'not finished,.*started, and no end was told' study/table.csv
+  grep -q 'not finished,.*no end was told of what started at 20' study/table.csv
 flow local --cores 2
 expect "it ends with $code" test "$code" -eq 0
 again=$(grep -c '^rule' "$logs/flow")

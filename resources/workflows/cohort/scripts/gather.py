@@ -20,7 +20,7 @@ EXITS = {
 
 CHECK_FAILED = 7
 STOPPED = (130, 143)  # by a person, or by the engine
-STARTED = "started, and no end was told"
+STARTED = "no end was told of what started"
 
 
 def meaning(code):
@@ -145,17 +145,21 @@ def finished(name, ct, methods, breathing):
 def outcome(name, ct, done, methods, breathing):
     """("done" | "failed" | "not finished", the stage, its exit code, the reason)."""
     left = [stage for stage in stages(methods, breathing) if stage not in done]
+    open_end = None
     for stage in left:
         end = ending(name, stage)
         ready = all(one in done for one in before(stage, methods))
         if end and "exit" not in end and ready:
-            return "not finished", stage, None, f"{STARTED}: it still runs, or was killed together with what watches it"
+            why = f"{STARTED} at {end.get('started')} on {end.get('node')}: it still runs, or was killed with its node"
+            open_end = open_end or ("not finished", stage, None, why)
         code = end.get("exit", 0)
         if code not in (0, CHECK_FAILED, *STOPPED) and ready:
             return "failed", stage, code, anonymous(reason(name, stage), ct) or meaning(code)
         if code in STOPPED:
             return "not finished", stage, code, "it was stopped, by a person or for taking too long"
-    return ("not finished", left[0], None, "") if left else ("done", "", None, "")
+    if not left:
+        return "done", "", None, ""
+    return open_end or ("not finished", left[0], None, "")
 
 
 def to_check(reports):
