@@ -44,7 +44,7 @@ function(pneuma_unite target)
 endfunction()
 
 # pneuma_compile_quickly(<target>)
-# For what is not shipped: half of the time that GCC takes for tests goes into optimizing them.
+# For what is not shipped and calculates little: half of the time that GCC takes for it goes into optimizing.
 function(pneuma_compile_quickly target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O0>)
 endfunction()
@@ -118,12 +118,13 @@ function(pneuma_add_module name)
   endif()
 endfunction()
 
-# pneuma_add_test(<name> SOURCES ... LINK ... [LABELS ...] [RENDER] [UNITE])
+# pneuma_add_test(<name> SOURCES ... LINK ... [LABELS ...] [RENDER] [UNITE] [QUICK])
 # One GoogleTest executable; its cases become CTest tests "<name>/Suite.Case".
 # UNITE: see pneuma_unite; no two sources may call different helpers by one name.
+# QUICK: see pneuma_compile_quickly.
 # RENDER: runs under Xvfb, and is registered only where xvfb-run exists.
 function(pneuma_add_test name)
-  cmake_parse_arguments(arg "RENDER;UNITE" "" "SOURCES;LINK;LABELS" ${ARGN})
+  cmake_parse_arguments(arg "RENDER;UNITE;QUICK" "" "SOURCES;LINK;LABELS" ${ARGN})
   if(arg_RENDER AND NOT PNEUMA_XVFB_RUN)
     message(STATUS "tests ${name}: not registered, xvfb-run is missing")
     return()
@@ -136,7 +137,9 @@ function(pneuma_add_test name)
   if(arg_LINK MATCHES "pneuma")  # else Eigen is not known to it
     pneuma_precompile(${target} <gmock/gmock.h> <gtest/gtest.h>)
   endif()
-  pneuma_compile_quickly(${target})
+  if(arg_QUICK)
+    pneuma_compile_quickly(${target})
+  endif()
   if(arg_UNITE)
     pneuma_unite(${target})
   endif()

@@ -26,7 +26,7 @@ std::vector<Vec3> bentPoints(int n) {
   return points;
 }
 
-std::string refusal(const std::vector<Vec3>& points) {
+std::string refusalOfPoints(const std::vector<Vec3>& points) {
   try {
     fitFissure(points);
   } catch (const InvalidInput& error) {
@@ -156,14 +156,16 @@ TEST(FissureFit, LeavesOneOutAsIfTheOthersWereAlone) {
 }
 
 TEST(FissureFit, RefusesWhatNoFissureGoesThrough) {
-  EXPECT_NE(refusal({{0, 0, 0}, {1, 0, 0}}).find("three points"), std::string::npos);
-  EXPECT_NE(refusal({{0, 0, 0}, {1, 1, 1}, {2, 2, 2}, {3, 3, 3}}).find("one line"),
+  EXPECT_NE(refusalOfPoints({{0, 0, 0}, {1, 0, 0}}).find("three points"), std::string::npos);
+  EXPECT_NE(refusalOfPoints({{0, 0, 0}, {1, 1, 1}, {2, 2, 2}, {3, 3, 3}}).find("one line"),
             std::string::npos);
-  EXPECT_NE(refusal({{0, 0, 0}, {1, 0, 0}, {0, std::numeric_limits<double>::quiet_NaN(), 0}})
-                .find("point 3"),
+  EXPECT_NE(
+      refusalOfPoints({{0, 0, 0}, {1, 0, 0}, {0, std::numeric_limits<double>::quiet_NaN(), 0}})
+          .find("point 3"),
+      std::string::npos);
+  EXPECT_NE(refusalOfPoints(std::vector<Vec3>(2001, Vec3::Zero())).find("2001 points"),
             std::string::npos);
-  EXPECT_NE(refusal(std::vector<Vec3>(2001, Vec3::Zero())).find("2001 points"), std::string::npos);
-  EXPECT_NE(refusal({{5, 5, 5}, {5, 5, 5}, {5, 5, 5}}).find("one line"), std::string::npos);
+  EXPECT_NE(refusalOfPoints({{5, 5, 5}, {5, 5, 5}, {5, 5, 5}}).find("one line"), std::string::npos);
 }
 
 }  // namespace

@@ -35,7 +35,7 @@ Vec3 bentPatch(double a, double b) {
   return {60.0 * a, 80.0 * b, 10.0 + 20.0 * b + 8.0 * std::cos(2.0 * a) * std::sin(2.0 * b)};
 }
 
-std::string refusal(const TriangleMesh& mesh) {
+std::string refusalOfPatch(const TriangleMesh& mesh) {
   try {
     fitPatch(mesh, "surface of a fissure");
   } catch (const InvalidInput& error) {
@@ -62,7 +62,7 @@ class Ball : public Domain {
 };
 
 TEST(PatchSurface, BecomesAHeightThatItsPointsLieUpon) {
-  const TriangleMesh patch = sheet(bent);
+  const TriangleMesh patch = sheet(bentPatch);
   const PatchFit fit = fitPatch(patch, "surface");
   EXPECT_LE(fit.largestMm, 0.2);
   EXPECT_LE(fit.meanMm, 0.05);
@@ -90,8 +90,8 @@ TEST(PatchSurface, TellsThatItFoldsAndIsRefusedWhereItIsNoSurface) {
     const double up = std::lround(20.0 * a + 20.0 * b) % 2 == 0 ? 2.5 : -2.5;
     return Vec3(200.0 * a, 200.0 * b, up);
   };
-  EXPECT_NE(refusal(sheet(jagged)).find("too rough"), std::string::npos);
-  EXPECT_NE(refusal(testing::sphere(50.0)).find("is closed"), std::string::npos);
+  EXPECT_NE(refusalOfPatch(sheet(jagged)).find("too rough"), std::string::npos);
+  EXPECT_NE(refusalOfPatch(testing::sphere(50.0)).find("is closed"), std::string::npos);
 }
 
 TEST(PatchSurface, TellsWhereItEndsInsideALung) {

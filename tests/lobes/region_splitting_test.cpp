@@ -59,7 +59,7 @@ constexpr RegionId Lower = 3;
 constexpr RegionId Middle = 2;
 constexpr RegionId Upper = 1;
 
-std::string refusal(RegionComplex& complex, const HeightSurface& surface) {
+std::string refusalOfSplit(RegionComplex& complex, const HeightSurface& surface) {
   try {
     splitRegion(complex, surface, {.region = 1, .below = Lower, .above = Upper}, "oblique fissure");
   } catch (const InvalidInput& error) {
@@ -237,11 +237,11 @@ TEST(RegionSplitting, SaysWhereTheFissureDoesNotCross) {
   RegionComplex complex = complexOf(testing::sphere(1.0, Vec3::Zero(), 3), 1);
   for (Vec3& p : complex.points) p *= 50.0;
   const std::vector<Facet> before = complex.facets;
-  const std::string apart = refusal(complex, plane({0.0, 0.0, 70.0}, Vec3::UnitZ()));
+  const std::string apart = refusalOfSplit(complex, plane({0.0, 0.0, 70.0}, Vec3::UnitZ()));
   EXPECT_NE(apart.find("does not cross the lung: all of it lies between -120.0 mm and -20.0 mm"),
             std::string::npos)
       << apart;
-  const std::string touching = refusal(complex, plane({0.0, 0.0, 50.0}, Vec3::UnitZ()));
+  const std::string touching = refusalOfSplit(complex, plane({0.0, 0.0, 50.0}, Vec3::UnitZ()));
   EXPECT_NE(touching.find("touches the lung"), std::string::npos) << touching;
   EXPECT_EQ(complex.facets.size(), before.size());
 }
