@@ -92,9 +92,11 @@ killedAt() {
     prepare over
     start=${EPOCHREALTIME/./}
     { timeout -s KILL "$delay" "$PNEUMA" "$@" >"$logs/out" 2>"$logs/err" </dev/null; } 2>/dev/null
-    if [ $? -eq 137 ]; then
+    code=$?
+    if [ "$code" -eq 137 ]; then
       killed=$((killed + 1))
     else # the machine is faster by now: what the command just took is what there is to kill in
+      [ "$code" -eq 0 ] || fail "it ends with $code: $(head -n 1 "$logs/err")"
       ended=$((ended + 1))
       seconds=$(awk -v s="$seconds" -v us=$((${EPOCHREALTIME/./} - start)) \
         'BEGIN { took = us / 1e6; print took < s ? took : 0.95 * s }')
