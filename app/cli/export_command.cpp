@@ -8,6 +8,7 @@
 #include "cli/command.h"
 #include "cli/conversion.h"
 #include "cli/files.h"
+#include "cli/limits.h"
 #include "cli/picture_arguments.h"
 #include "cli/text.h"
 #include "io/surface_file.h"
@@ -31,8 +32,9 @@ struct ExportArguments {
   std::vector<fs::path> inputs;
   std::vector<std::string> only;
   std::optional<ExportPreset> preset;
-  std::string as;    ///< the format of a preset; empty: the usual one
-  std::string view;  ///< of a film; empty: the case's
+  ExportFormat as;          ///< of a preset
+  std::string largestFile;  ///< as given, of a preset
+  std::string view;         ///< of a film; empty: the case's
   Format format = Format::Vtp;
   LengthUnit fromUnits = LengthUnit::Mm;
   LengthUnit units = LengthUnit::Mm;
@@ -260,10 +262,21 @@ ExitCode runPreset(const ExportArguments& arguments, const CommonOptions& common
     throw InvalidOption("--view is of a film; leave it out, or give --preset film");
   }
   if (!arguments.view.empty()) (void)viewDirection(arguments.view);
+  ExportFormat format = arguments.as;
+  if (!arguments.largestFile.empty()) {
+    if (arguments.preset != ExportPreset::Paraview) {
+      throw InvalidOption("--largest-file goes with --preset paraview; leave it out");
+    }
+    format.largestFileBytes = parseBytes("--largest-file", arguments.largestFile);
+    if (format.largestFileBytes < LeastFileBytes) {
+      throw InvalidOption("--largest-file is 64K or more, but '" + arguments.largestFile +
+                          "' was given");
+    }
+  }
   if (film) requireDisplay();
   requireFolderOutput(common.output);
   const Project project = openCase(arguments.inputs, progress.part(0.0, 0.5, "reading"));
-  const std::vector<fs::path> files = presetOutputs(*arguments.preset, project.state, arguments.as);
+  const std::vector<fs::path> files = presetOutputs(*arguments.preset, project.state, format);
   for (const fs::path& file : files) {
     std::error_code error;
     if (fs::exists(common.output / file, error)) {
@@ -274,7 +287,7 @@ ExitCode runPreset(const ExportArguments& arguments, const CommonOptions& common
   const ViewDirection view =
       arguments.view.empty() ? savedView(project.view) : viewDirection(arguments.view);
   exportCase(common.output, *arguments.preset, project.state, view, common.existing(),
-             progress.part(0.5, 1.0, "exporting"), {}, arguments.as);
+             progress.part(0.5, 1.0, "exporting"), {}, format);
   if (common.quiet) return ExitCode::Done;
   printWarnings(project.notes);
   for (const fs::path& file : files) std::cout << (common.output / file).string() << "\n";
@@ -285,7 +298,12 @@ ExitCode runExport(const ExportArguments& arguments, const CommonOptions& common
                    const Progress& progress) {
   if (arguments.preset) return runPreset(arguments, common, progress);
   if (!arguments.view.empty()) throw InvalidOption("--view goes with --preset film");
-  if (!arguments.as.empty()) throw InvalidOption("--as goes with --preset; else it is --format");
+  if (!arguments.as.name.empty()) {
+    throw InvalidOption("--as goes with --preset; else it is --format");
+  }
+  if (!arguments.largestFile.empty()) {
+    throw InvalidOption("--largest-file goes with --preset paraview");
+  }
   const std::vector<Lobe> only = parsedLobes(arguments.only);
   const std::vector<Job> all =
       jobs(arguments, only, common.output, progress.part(0.0, 0.5, "reading"));
@@ -331,10 +349,15 @@ Run declareExport(CLI::App& app, CommonOptions& common) {
          "glTF for web pages, Blender and slides) and film (a breath as .ogv). OUT is a folder, "
          "written whole or not at all.")
       ->type_name(choiceType(choices(ExportPreset{})));
-  app.add_option("--as", arguments->as,
+  app.add_option("--as", arguments->as.name,
                  "Format of a preset's files, in place of the usual one: of print stl, obj, ply or "
                  "vtp; of segmentation nii.gz, nrrd or mha.")
       ->type_name("FORMAT");
+  app.add_option("--largest-file", arguments->largestFile,
+                 "Of --preset paraview: a surface or a tree that would make a larger file is "
+                 "written in pieces, which the .vtm names; bytes, or as 500M (default 2G). "
+                 "Fissures and frames of a breath stay whole.")
+      ->type_name("SIZE");
   app.add_option("--view", arguments->view,
                  "From where --preset film looks: anterior, posterior, left, right, superior, "
                  "inferior, or AZ,EL in degrees; else as when the project was saved.")

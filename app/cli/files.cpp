@@ -9,6 +9,7 @@
 
 #include "core/error.h"
 #include "io/input_files.h"
+#include "io/piece_files.h"
 #include "io/surface_file.h"
 #include "io/tree_file.h"
 #include "io/unfinished_files.h"
@@ -54,6 +55,7 @@ std::vector<fs::path> expanded(std::span<const fs::path> paths) {
       files.push_back(path);
       continue;
     }
+    requireWhole(path);
     const std::vector<fs::path> inside = modelsIn(path);
     if (inside.empty()) {
       throw InputMissing("the folder '" + path.string() +

@@ -41,18 +41,26 @@ double factorOf(char suffix) {
 
 }  // namespace
 
-std::uint64_t parseMemorySize(std::string_view text) {
+std::uint64_t parseBytes(std::string_view option, std::string_view text) {
   std::string_view number = text;
   double factor = 1.0;
   if (!number.empty()) factor = factorOf(number.back());
   if (factor > 1.0) number.remove_suffix(1);
-  const double bytes = factor * detail::parseNumber("--max-memory", number, "");
-  if (bytes == 0.0) return 0;
-  if (!(bytes >= static_cast<double>(LeastBytes) && bytes <= MostBytes)) {
-    throw InvalidOption("--max-memory is 0 (no limit) or at least 64M, but '" + std::string(text) +
+  const double bytes = factor * detail::parseNumber(option, number, "");
+  if (!(bytes == 0.0 || (bytes >= 1.0 && bytes <= MostBytes))) {
+    throw InvalidOption(std::string(option) + " is a number of bytes, but '" + std::string(text) +
                         "' was given; write it as 500M or 8G");
   }
   return static_cast<std::uint64_t>(bytes);
+}
+
+std::uint64_t parseMemorySize(std::string_view text) {
+  const std::uint64_t bytes = parseBytes("--max-memory", text);
+  if (bytes != 0 && bytes < LeastBytes) {
+    throw InvalidOption("--max-memory is 0 (no limit) or at least 64M, but '" + std::string(text) +
+                        "' was given; write it as 500M or 8G");
+  }
+  return bytes;
 }
 
 void limitMemory(std::uint64_t bytes) {
@@ -67,13 +75,15 @@ void limitMemory(std::uint64_t bytes) {
 }
 
 void requireMemoryForDrawing() {
+  // A machine that has too little swaps, and draws.
   struct rlimit limit = {};
   const bool limited = getrlimit(RLIMIT_DATA, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
-  if (!limited || availableMemoryBytes() >= DrawingBytes) return;
+  const bool fits = !limited || availableMemoryBytes() >= DrawingBytes;
+  if (fits && memoryLeftInGroups() >= DrawingBytes) return;
   throw Error(ExitCode::OutOfMemory,
               "drawing takes " + std::to_string(DrawingBytes >> 20U) + " MB of memory and " +
-                  std::to_string(availableMemoryBytes() >> 20U) +
-                  " MB are left; give more with --max-memory, or make no pictures");
+                  std::to_string(availableMemoryBytes() >> 20U) + " MB are left; " +
+                  adviceForMemory() + ", or make no pictures");
 }
 
 void limitTime(double seconds) {

@@ -5,8 +5,13 @@
 
 namespace pneuma::cli {
 
-/// Bytes of "8G", "1.5G", "500M", "64K" (of 1024 each) or a plain number of bytes; 0: no limit.
-/// @throws InvalidOption for anything else, and for less than 64M, in which nothing runs
+/// Bytes of "8G", "1.5G", "500M", "64K" (of 1024 each) or a plain number of bytes.
+/// @param option for messages
+/// @throws InvalidOption for anything else
+std::uint64_t parseBytes(std::string_view option, std::string_view text);
+
+/// Likewise of --max-memory; 0: no limit.
+/// @throws InvalidOption as well for less than 64M, in which nothing runs
 std::uint64_t parseMemorySize(std::string_view text);
 
 /// From now on the process gets no more than `bytes` for its data: an allocation over it fails, and

@@ -24,7 +24,7 @@ ViewDirection savedView(const Json& view) {
 
 void exportCase(const std::filesystem::path& folder, ExportPreset preset, const ProjectState& state,
                 ViewDirection view, Existing existing, const Progress& progress,
-                const MadeBreath& breath, std::string_view format) {
+                const MadeBreath& breath, const ExportFormat& format) {
   const auto write = [&](const std::filesystem::path& file, const BreathingLungs& lungs,
                          const Progress& writing) {
     if (preset == ExportPreset::Share) {

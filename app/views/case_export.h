@@ -1,7 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <string_view>
 
 #include "pipeline/case_export.h"
 #include "render/scene.h"
@@ -20,6 +19,6 @@ ViewDirection savedView(const Json& view);
 /// @throws as writePreset(); NoRendering for a film where there is no OpenGL
 void exportCase(const std::filesystem::path& folder, ExportPreset preset, const ProjectState& state,
                 ViewDirection view, Existing existing, const Progress& progress = {},
-                const MadeBreath& breath = {}, std::string_view format = {});
+                const MadeBreath& breath = {}, const ExportFormat& format = {});
 
 }  // namespace pneuma

@@ -27,6 +27,10 @@ std::string attributeOf(vtkXMLDataElement& element, const char* key) {
   return value == nullptr ? std::string() : std::string(value);
 }
 
+std::string fileAttribute(const std::filesystem::path& file) {
+  return " file=\"" + markupEscaped(file.generic_string()) + "\"";
+}
+
 TimedFile timedFile(vtkXMLDataElement& element, const std::string& collection) {
   TimedFile file;
   file.file = attributeOf(element, "file");
@@ -77,9 +81,19 @@ void writeMultiblock(const std::filesystem::path& path, const std::vector<Block>
       "<VTKFile type=\"vtkMultiBlockDataSet\" version=\"1.0\" byte_order=\"LittleEndian\">\n"
       "  <vtkMultiBlockDataSet>\n";
   for (std::size_t i = 0; i < blocks.size(); ++i) {
-    text += "    <DataSet index=\"" + std::to_string(i) + "\" name=\"" +
-            markupEscaped(blocks[i].name) + "\" file=\"" +
-            markupEscaped(blocks[i].file.generic_string()) + "\"/>\n";
+    const std::string place =
+        " index=\"" + std::to_string(i) + "\" name=\"" + markupEscaped(blocks[i].name) + "\"";
+    const auto& files = blocks[i].files;
+    if (files.size() == 1) {
+      text += "    <DataSet" + place + fileAttribute(files.front()) + "/>\n";
+      continue;
+    }
+    text += "    <Piece" + place + ">\n";
+    for (std::size_t k = 0; k < files.size(); ++k) {
+      text +=
+          "      <DataSet index=\"" + std::to_string(k) + "\"" + fileAttribute(files[k]) + "/>\n";
+    }
+    text += "    </Piece>\n";
   }
   text += "  </vtkMultiBlockDataSet>\n</VTKFile>\n";
   writeFile(path, text);

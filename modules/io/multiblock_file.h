@@ -6,10 +6,10 @@
 
 namespace pneuma {
 
-/// One file of several that are opened together.
+/// Something of several that are opened together.
 struct Block {
   std::string name;
-  std::filesystem::path file;  ///< relative to the folder of the .vtm
+  std::vector<std::filesystem::path> files;  ///< relative to the folder of the .vtm; its pieces
 };
 
 /// Writes a VTK multi-block file (.vtm) that names others: ParaView opens all of them with it.

@@ -41,16 +41,23 @@ std::map<std::string, std::string> metadataOf(const LungModel& model, const Airw
   return {{"version", versionText()}};
 }
 
+/// Where the pieces of a surface or a tree end; none of what is neither.
+std::vector<std::size_t> pieceEnds(const CasePart& part, std::uint64_t largestBytes) {
+  if (part.mesh) return pneuma::pieceEnds(*part.mesh, largestBytes);
+  return part.tree ? pneuma::pieceEnds(*part.tree, largestBytes) : std::vector<std::size_t>();
+}
+
 /// Surfaces and trees of a case as blocks of files.
-std::vector<Block> blocksOf(const ProjectState& state) {
+std::vector<Block> blocksOf(const ProjectState& state, std::uint64_t largestBytes) {
   std::vector<Block> blocks;
   for (const CasePart& part : partsOf(state)) {
-    if (part.mesh || part.tree) blocks.push_back({part.stem, part.stem + ".vtp"});
+    const std::size_t count = pieceEnds(part, largestBytes).size();
+    if (count > 0) blocks.push_back({part.stem, pieceFiles(part.stem + ".vtp", count)});
   }
   if (!state.model.lobes) return blocks;
   for (const SplitLung& lung : state.model.lobes->lungs) {
     for (const Fissure fissure : fissuresOf(lung.side)) {
-      blocks.push_back({std::string(shortName(fissure)), patchFile(fissure)});
+      blocks.push_back({std::string(shortName(fissure)), {patchFile(fissure)}});
     }
   }
   return blocks;
@@ -68,16 +75,36 @@ void writeFissurePatches(const fs::path& folder, const LobesOfLungs& lobes) {
   }
 }
 
+/// What an earlier export left that ParaView would take for a part of this one.
+/// @throws OutputFailed if a surface or a tree of it is divided otherwise
+void requireNoOtherPieces(const fs::path& folder, const std::vector<Block>& blocks) {
+  std::error_code error;
+  for (const Block& block : blocks) {
+    const fs::path whole = block.name + ".vtp";
+    const std::size_t count = block.files.size();
+    fs::path other = count == 1 ? pieceFiles(whole, 2).front() : whole;
+    if (count > 1 && !fs::exists(folder / other, error))
+      other = pieceFiles(whole, count + 1).back();
+    if (!fs::exists(folder / other, error)) continue;
+    throw OutputFailed("'" + (folder / other).string() +
+                       "' is of an export into other pieces; remove what is there, or choose "
+                       "another folder");
+  }
+}
+
 void writeForParaview(const fs::path& folder, const ProjectState& state, const MadeBreath& breath,
-                      const Progress& progress) {
+                      std::uint64_t largestBytes, const Progress& progress) {
   for (const CasePart& part : partsOf(state)) {
     progress.throwIfStopped();
     const fs::path file = folder / (part.stem + ".vtp");
-    if (part.mesh) writeSurface(file, *part.mesh);
-    if (part.tree) writeTree(file, *part.tree, metadataOf(state.model, part.tree.get()));
+    const std::vector<std::size_t> ends = pieceEnds(part, largestBytes);
+    if (part.mesh) writeSurfacePieces(file, *part.mesh, ends);
+    if (part.tree) {
+      writeTreePieces(file, *part.tree, metadataOf(state.model, part.tree.get()), ends);
+    }
   }
   if (state.model.lobes) writeFissurePatches(folder, *state.model.lobes);
-  writeMultiblock(folder / TogetherFile, blocksOf(state));
+  writeMultiblock(folder / TogetherFile, blocksOf(state, largestBytes));
   progress.report(0.2);
   if (!breathes(state)) return;
   if (breath.lungs != nullptr) {
@@ -201,13 +228,15 @@ std::span<const std::string_view> formatsOf(ExportPreset preset) {
 }
 
 std::vector<fs::path> presetOutputs(ExportPreset preset, const ProjectState& state,
-                                    std::string_view format) {
-  const std::string taken = takenFormat(preset, format);
+                                    const ExportFormat& format) {
+  const std::string taken = takenFormat(preset, format.name);
   if (lackOf(preset, state) != ExportLack::Nothing) return {};
   std::vector<fs::path> files;
   switch (preset) {
     case ExportPreset::Paraview:
-      for (const Block& block : blocksOf(state)) files.push_back(block.file);
+      for (const Block& block : blocksOf(state, format.largestFileBytes)) {
+        files.insert(files.end(), block.files.begin(), block.files.end());
+      }
       files.emplace_back(TogetherFile);
       if (!breathes(state)) return files;
       for (const fs::path& file :
@@ -236,14 +265,17 @@ std::vector<fs::path> presetOutputs(ExportPreset preset, const ProjectState& sta
 
 void writePreset(const fs::path& folder, ExportPreset preset, const ProjectState& state,
                  Existing existing, const Progress& progress, const MadeBreath& breath,
-                 std::string_view format, const WriteBreathing& writeBreathing) {
-  const std::string taken = takenFormat(preset, format);
+                 const ExportFormat& format, const WriteBreathing& writeBreathing) {
+  const std::string taken = takenFormat(preset, format.name);
   const ExportLack lack = lackOf(preset, state);
   if (lack != ExportLack::Nothing) throwLack(preset, lack);
+  if (preset == ExportPreset::Paraview) {
+    requireNoOtherPieces(folder, blocksOf(state, format.largestFileBytes));
+  }
   StagedFolder staged(folder);
   switch (preset) {
     case ExportPreset::Paraview:
-      writeForParaview(staged.path(), state, breath, progress);
+      writeForParaview(staged.path(), state, breath, format.largestFileBytes, progress);
       break;
     case ExportPreset::Print:
       writeForPrinting(staged.path(), state.model, taken, progress);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "io/atomic_file.h"
+#include "io/piece_files.h"
 #include "pipeline/project.h"
 
 namespace pneuma {
@@ -37,10 +38,18 @@ ExportLack lackOf(ExportPreset preset, const ProjectState& state);
 /// and "vtp", of segmentation "nii.gz", "nrrd" and "mha". Empty where there is no choice.
 std::span<const std::string_view> formatsOf(ExportPreset preset);
 
+/// How the files of a preset are written.
+struct ExportFormat {
+  std::string name;  ///< one of formatsOf(); empty: the usual one
+  /// Of Paraview: a surface or a tree that would have more is written in pieces (piece_files.h);
+  /// surfaces of fissures and frames of a breath are not. At least LeastFileBytes.
+  std::uint64_t largestFileBytes = LargestFileBytes;
+};
+
 /// The files that writePreset() writes, relative to the folder.
 /// @throws InvalidOption if the format is none of formatsOf()
 std::vector<std::filesystem::path> presetOutputs(ExportPreset preset, const ProjectState& state,
-                                                 std::string_view format = {});
+                                                 const ExportFormat& format = {});
 
 /// A breath that was made with the state's options already.
 struct MadeBreath {
@@ -54,15 +63,14 @@ using WriteBreathing = std::function<void(const std::filesystem::path& file,
 
 /// Writes what a preset makes of a case into a folder: everything, or nothing. Names of the case
 /// and its files go nowhere, but for the path of the CT in a recipe.
-/// @throws InvalidInput if the case has nothing that the preset takes; OutputFailed; as breathe();
-/// Cancelled
-/// @param format one of formatsOf(); empty: the usual one
-/// @throws InvalidOption for another format
+/// @throws InvalidInput if the case has nothing that the preset takes; OutputFailed, also where the
+/// folder has a surface or a tree in other pieces; as breathe(); Cancelled
+/// @throws InvalidOption for another format than those of formatsOf()
 /// @param writeBreathing of Share and Film, which is drawn above this module: `exportCase()`
 /// (views/case_export.h) has it. @pre there is one for these two
 void writePreset(const std::filesystem::path& folder, ExportPreset preset,
                  const ProjectState& state, Existing existing, const Progress& progress = {},
-                 const MadeBreath& breath = {}, std::string_view format = {},
+                 const MadeBreath& breath = {}, const ExportFormat& format = {},
                  const WriteBreathing& writeBreathing = {});
 
 }  // namespace pneuma

@@ -52,7 +52,7 @@ void writeLobes(const std::filesystem::path& folder, const LobesOfLungs& lobes,
     for (const Lobe lobe : lobesOf(lung.side)) {
       writeSurface(folder / lobeFile(lobe),
                    surfaceOf(lung.complex, static_cast<RegionId>(lobe)).mesh);
-      blocks.push_back({std::string(shortName(lobe)), lobeFile(lobe)});
+      blocks.push_back({std::string(shortName(lobe)), {lobeFile(lobe)}});
       progress.throwIfStopped();
     }
   }
@@ -62,7 +62,7 @@ void writeLobes(const std::filesystem::path& folder, const LobesOfLungs& lobes,
       const auto complete = lobes.complete.find(fissure);
       if (complete != lobes.complete.end()) marks["on_fissure"] = complete->second.onSheet;
       writeSurface(folder / patchFile(fissure), fissurePatch(lung, fissure), {}, marks);
-      blocks.push_back({std::string(shortName(fissure)), patchFile(fissure)});
+      blocks.push_back({std::string(shortName(fissure)), {patchFile(fissure)}});
       progress.throwIfStopped();
     }
   }

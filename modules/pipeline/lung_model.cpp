@@ -11,6 +11,7 @@
 #include "core/seconds.h"
 #include "geometry/surface_domain.h"
 #include "io/input_files.h"
+#include "io/piece_files.h"
 #include "io/surface_file.h"
 #include "io/tree_file.h"
 #include "io/volume_file.h"
@@ -46,6 +47,7 @@ std::vector<fs::path> lobeFilesIn(const fs::path& folder) {
 
 /// @throws InvalidInput for a folder that has no slices of a CT and no lobes
 void requireSomethingIn(const fs::path& folder) {
+  requireWhole(folder);
   if (!lobeFilesIn(folder).empty()) return;
   const std::size_t files = filesIn(folder).size();
   throw InvalidInput(
@@ -63,6 +65,7 @@ std::vector<fs::path> expanded(std::span<const fs::path> paths) {
       files.push_back(path);
       continue;
     }
+    requireWhole(path);
     const std::vector<fs::path> found = lobeFilesIn(path);
     if (found.empty()) {
       throw InvalidInput("the folder " + quoted(path) +

@@ -10,7 +10,7 @@ succeeds "a growth within its time" grow ball.obj --terminals 500 --timeout 600 
 succeeds "no limit" grow ball.obj --terminals 500 --timeout 0 --max-memory 0 -o tree.vtp -q --force
 refuses "a time below nothing" 2 "timeout must lie in \[0, 1(0000000|e\+07)\] s, but is -1" version --timeout -1
 refuses "a time that is none" 2 "timeout needs a number, but 'soon'" version --timeout soon
-for size in -5G 5X G 1K 63M 1e30 nan 8GB; do
+for size in -5G 5X G 0.5 1K 63M 1e30 nan 8GB; do
   refuses "memory of $size" 2 "max-memory" version "--max-memory=$size"
 done
 for size in 64M 0.5G 1T 100000000 8g; do succeeds "memory of $size" version "--max-memory=$size"; done

@@ -59,6 +59,23 @@ for file in case.vtm rul.vtp right.vtp tree.vtp central.vtp fissures/right-obliq
 done
 expect "the collection names a file that is not there" \
   test -z "$(grep -o 'file="[^"]*"' paraview/case.vtm | cut -d'"' -f2 | (cd paraview && xargs ls 2>&1 >"$logs/none"))"
+succeeds "in pieces for ParaView" export case.pneuma --preset paraview --largest-file 100K -o pieces
+prints 'pieces/rul/rul_1.vtp'
+expect "not all that was told is there: $(xargs ls <"$logs/out" 2>&1 >"$logs/none")" xargs ls <"$logs/out"
+larger=$(find pieces -path pieces/fissures -prune -o -size +100k -print)
+expect "larger files: $larger" test -z "$larger"
+expect "the collection does not name the pieces" grep -q 'file="rul/rul_1.vtp"' pieces/case.vtm
+refuses "a folder in pieces" 5 "for ParaView alone" grow pieces --terminals 100 -o other.vtp
+refuses "surfaces in pieces" 5 "for ParaView alone" info pieces
+refuses "pieces over what is whole" 6 "rul.vtp' is of an export into other pieces" export case.pneuma --preset paraview --largest-file 100K -o paraview -f
+refuses "what is whole over pieces" 6 "rul_0.vtp' is of an export into other pieces" export case.pneuma --preset paraview -o pieces -f
+refuses "fewer pieces over more" 6 "vtp' is of an export into other pieces" export case.pneuma --preset paraview --largest-file 150K -o pieces -f
+succeeds "the same pieces again" export case.pneuma --preset paraview --largest-file 100K -o pieces -f -q
+refuses "pieces over others" 6 '--force' export case.pneuma --preset paraview --largest-file 100K -o pieces
+refuses "pieces of nothing" 2 'largest-file is 64K or more' export case.pneuma --preset paraview --largest-file 1K -o other
+refuses "pieces of no size" 2 "largest-file" export case.pneuma --preset paraview --largest-file much -o other
+refuses "pieces for a printer" 2 'goes with --preset paraview' export case.pneuma --preset print --largest-file 1M -o other
+refuses "pieces without a preset" 2 'goes with --preset paraview' export case.pneuma --largest-file 1M -o other
 succeeds "for a printer" export case.pneuma --preset print -o print -q
 expect "not five surfaces" test "$(ls print | tr '\n' ' ')" = "lll.stl lul.stl rll.stl rml.stl rul.stl "
 expect "other surfaces" cmp print/rul.stl parts/rul.stl

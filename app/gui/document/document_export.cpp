@@ -17,7 +17,7 @@ std::vector<std::filesystem::path> Document::filesInTheWay(ExportPreset preset,
                                                            const std::filesystem::path& folder,
                                                            const std::string& format) const {
   std::vector<std::filesystem::path> there;
-  for (const auto& file : presetOutputs(preset, stateOf(snapshot_), format)) {
+  for (const auto& file : presetOutputs(preset, stateOf(snapshot_), {format})) {
     std::error_code ignored;
     if (std::filesystem::exists(folder / file, ignored)) there.push_back(file);
   }
@@ -31,8 +31,8 @@ void Document::exportCase(ExportPreset preset, const std::filesystem::path& fold
                                breath = snapshot_.breath](const Progress& progress) {
     MadeBreath made;
     if (breath) made = {&breath->lungs, &breath->report};
-    pneuma::exportCase(folder, preset, state, view, Existing::Replace, progress, made, format);
-    const std::size_t files = presetOutputs(preset, state, format).size();
+    pneuma::exportCase(folder, preset, state, view, Existing::Replace, progress, made, {format});
+    const std::size_t files = presetOutputs(preset, state, {format}).size();
     return JobQueue::Continuation([this, preset, folder, files, shown = treeOf(state.model)] {
       if (preset == ExportPreset::Tree) {
         saved_ = shown;

@@ -20,6 +20,11 @@ TreeFile readTreeCsv(const std::string& content, const std::string& name);
 TreeFile readTreeJson(const std::string& content, const std::string& name);
 
 std::string vtpText(const AirwayTree& tree, const Metadata& metadata);
+
+/// Branches from `first` to before `end`; "id", "parent" and orders are those of the whole tree.
+std::string vtpText(const AirwayTree& tree, const Metadata& metadata, std::size_t first,
+                    std::size_t end);
+
 std::string swcText(const AirwayTree& tree, const Metadata& metadata);
 std::string treeCsvText(const AirwayTree& tree, const Metadata& metadata);
 std::string treeJsonText(const AirwayTree& tree, const Metadata& metadata);

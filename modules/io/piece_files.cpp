@@ -1,0 +1,146 @@
+#include "io/piece_files.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "core/error.h"
+#include "io/atomic_file.h"
+#include "io/detail/text_fields.h"
+#include "io/detail/tree_formats.h"
+#include "io/surface_file.h"
+
+namespace pneuma {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uint64_t BytesBefore = 16'384;  ///< of a file: names, sizes and field data
+constexpr std::uint64_t BytesOfPoint = 24;
+constexpr std::uint64_t BytesOfTriangle = 32;  ///< its points, and where it ends in their list
+constexpr std::uint64_t BytesOfTreePoint = BytesOfPoint + 16;  ///< a radius, its place in a line
+constexpr std::uint64_t BytesOfBranch = 8 + 66;                ///< where it ends, and its columns
+
+/// The triangles from `first` to before `end` with their points, in the order of the whole.
+TriangleMesh pieceOf(const TriangleMesh& mesh, std::size_t first, std::size_t end) {
+  constexpr std::uint32_t Unused = std::numeric_limits<std::uint32_t>::max();
+  std::vector<std::uint32_t> places(mesh.points.size(), Unused);
+  for (std::size_t i = first; i < end; ++i) {
+    for (const std::uint32_t corner : mesh.triangles[i]) places[corner] = 0;
+  }
+  TriangleMesh piece;
+  for (std::size_t point = 0; point < places.size(); ++point) {
+    if (places[point] == Unused) continue;
+    places[point] = static_cast<std::uint32_t>(piece.points.size());
+    piece.points.push_back(mesh.points[point]);
+  }
+  piece.triangles.reserve(end - first);
+  for (std::size_t i = first; i < end; ++i) {
+    const auto& [a, b, c] = mesh.triangles[i];
+    piece.triangles.push_back({places[a], places[b], places[c]});
+  }
+  return piece;
+}
+
+/// @param write gets a file, the first one in it and the end
+template <class Write>
+void writePieces(const fs::path& file, const std::vector<std::size_t>& ends, Write&& write) {
+  const std::vector<fs::path> files = pieceFiles(file, ends.size());
+  std::error_code error;
+  if (files.size() > 1) fs::create_directories(files.front().parent_path(), error);
+  if (error) {
+    throw OutputFailed("the folder " + quoted(files.front().parent_path()) +
+                       " cannot be made: " + error.message());
+  }
+  for (std::size_t i = 0; i < files.size(); ++i) write(files[i], i == 0 ? 0 : ends[i - 1], ends[i]);
+}
+
+}  // namespace
+
+std::vector<std::size_t> pieceEnds(const TriangleMesh& mesh, std::uint64_t largestBytes) {
+  const std::uint64_t room = largestBytes - BytesBefore;
+  const std::size_t count = mesh.triangles.size();
+  if (BytesOfPoint * mesh.points.size() + BytesOfTriangle * count <= room) return {count};
+  std::vector<std::size_t> ends;
+  std::vector<std::size_t> pieceWith(mesh.points.size(), 0);  // the last one, from 1 on
+  std::uint64_t bytes = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    std::uint64_t more = BytesOfTriangle;
+    for (const std::uint32_t corner : mesh.triangles[i]) {
+      if (pieceWith[corner] != ends.size() + 1) more += BytesOfPoint;
+    }
+    if (bytes + more > room) {
+      ends.push_back(i);
+      bytes = 0;
+      more = BytesOfTriangle + 3 * BytesOfPoint;
+    }
+    bytes += more;
+    for (const std::uint32_t corner : mesh.triangles[i]) pieceWith[corner] = ends.size() + 1;
+  }
+  ends.push_back(count);
+  return ends;
+}
+
+std::vector<std::size_t> pieceEnds(const AirwayTree& tree, std::uint64_t largestBytes) {
+  const std::uint64_t room = largestBytes - BytesBefore;
+  std::vector<std::size_t> ends;
+  std::uint64_t bytes = 0;
+  for (std::size_t i = 0; i < tree.size(); ++i) {
+    const std::uint64_t more = BytesOfBranch + BytesOfTreePoint * (2 + tree[i].via.size());
+    if (bytes + more > room && bytes > 0) {
+      ends.push_back(i);
+      bytes = 0;
+    }
+    bytes += more;
+  }
+  ends.push_back(tree.size());
+  return ends;
+}
+
+std::vector<fs::path> pieceFiles(const fs::path& file, std::size_t count) {
+  if (count == 1) return {file};
+  std::vector<fs::path> files;
+  const std::string stem = file.stem().string();
+  for (std::size_t i = 0; i < count; ++i) {
+    files.push_back(file.parent_path() / stem / (stem + "_" + std::to_string(i) + ".vtp"));
+  }
+  return files;
+}
+
+void writeSurfacePieces(const fs::path& file, const TriangleMesh& mesh,
+                        const std::vector<std::size_t>& ends) {
+  writePieces(file, ends, [&](const fs::path& piece, std::size_t first, std::size_t end) {
+    if (ends.size() == 1) return writeSurface(piece, mesh);
+    writeSurface(piece, pieceOf(mesh, first, end));
+  });
+}
+
+void writeTreePieces(const fs::path& file, const AirwayTree& tree,
+                     const std::map<std::string, std::string>& metadata,
+                     const std::vector<std::size_t>& ends) {
+  writePieces(file, ends, [&](const fs::path& piece, std::size_t first, std::size_t end) {
+    writeFile(piece, vtpText(tree, metadata, first, end));
+  });
+}
+
+fs::path firstPieceIn(const fs::path& folder) {
+  std::error_code error;
+  std::vector<fs::path> found;
+  for (fs::directory_iterator inside(folder, error), none; !error && inside != none;
+       inside.increment(error)) {
+    const fs::path piece = inside->path() / (inside->path().filename().string() + "_0.vtp");
+    if (fs::is_regular_file(piece, error)) found.push_back(piece);
+    error.clear();
+  }
+  return found.empty() ? fs::path() : *std::ranges::min_element(found);
+}
+
+void requireWhole(const fs::path& folder) {
+  const fs::path piece = firstPieceIn(folder);
+  if (piece.empty()) return;
+  throw Unsupported("the folder " + quoted(folder) + " holds surfaces or trees in pieces, as " +
+                    quoted(piece) +
+                    ", which are for ParaView alone; export them again with a larger "
+                    "--largest-file");
+}
+
+}  // namespace pneuma

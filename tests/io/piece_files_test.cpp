@@ -1,0 +1,213 @@
+#include "io/piece_files.h"
+
+#include <fstream>
+#include <sstream>
+
+#include <gtest/gtest.h>
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkIdList.h>
+#include <vtkMultiBlockDataSet.h>
+#include <vtkMultiPieceDataSet.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkXMLMultiBlockDataReader.h>
+
+#include "core/error.h"
+#include "io/multiblock_file.h"
+#include "io/surface_file.h"
+#include "io/tree_file.h"
+#include "io_samples.h"
+#include "temp_folder.h"
+
+namespace pneuma {
+namespace {
+
+using testing::TempFolder;
+
+std::string fileContent(const std::filesystem::path& path) {
+  std::ostringstream text;
+  text << std::ifstream(path, std::ios::binary).rdbuf();
+  return text.str();
+}
+
+/// A sheet of 2 n^2 triangles.
+TriangleMesh sheet(std::uint32_t n) {
+  TriangleMesh mesh;
+  for (std::uint32_t y = 0; y <= n; ++y) {
+    for (std::uint32_t x = 0; x <= n; ++x) mesh.points.emplace_back(x / 3.0, y / 7.0, x * y / 11.0);
+  }
+  for (std::uint32_t y = 0; y < n; ++y) {
+    for (std::uint32_t x = 0; x < n; ++x) {
+      const std::uint32_t at = y * (n + 1) + x;
+      mesh.triangles.push_back({at, at + 1, at + n + 2});
+      mesh.triangles.push_back({at, at + n + 2, at + n + 1});
+    }
+  }
+  return mesh;
+}
+
+/// A chain of n branches, the first ones with many points between their ends.
+AirwayTree chain(int n) {
+  AirwayTree tree;
+  for (int i = 0; i < n; ++i) {
+    Branch branch;
+    branch.parent = i - 1;
+    branch.proximal = Vec3(0.1 * i, 0, 0);
+    branch.distal = Vec3(0.1 * (i + 1), 0, 0);
+    branch.radiusMm = 1.0 / (i + 1);
+    for (int k = 0; k < (i < 100 ? 20 : i % 3); ++k) {
+      branch.via.push_back({Vec3(0.1 * i + 0.001 * k, 0.01, 0), 0.5});
+    }
+    tree.add(branch);
+  }
+  return tree;
+}
+
+/// What a collection of one thing in pieces holds, as ParaView opens it.
+std::vector<vtkSmartPointer<vtkPolyData>> opened(const TempFolder& folder, const std::string& stem,
+                                                 std::size_t count) {
+  writeMultiblock(folder / "all.vtm", {{stem, pieceFiles(stem + ".vtp", count)}});
+  vtkNew<vtkXMLMultiBlockDataReader> reader;
+  reader->SetFileName((folder / "all.vtm").c_str());
+  reader->Update();
+  EXPECT_EQ(reader->GetErrorCode(), 0UL);
+  auto* all = vtkMultiBlockDataSet::SafeDownCast(reader->GetOutput());
+  auto* pieces = vtkMultiPieceDataSet::SafeDownCast(all->GetBlock(0));
+  std::vector<vtkSmartPointer<vtkPolyData>> found;
+  if (pieces == nullptr) return found;
+  for (unsigned int i = 0; i < pieces->GetNumberOfPieces(); ++i) {
+    found.emplace_back(vtkPolyData::SafeDownCast(pieces->GetPieceAsDataObject(i)));
+  }
+  return found;
+}
+
+void expectWithin(const std::filesystem::path& file, std::size_t count, std::uint64_t largest) {
+  for (const auto& piece : pieceFiles(file, count)) {
+    ASSERT_TRUE(std::filesystem::exists(piece)) << piece;
+    EXPECT_LE(std::filesystem::file_size(piece), largest) << piece;
+  }
+}
+
+TEST(PieceFiles, OneIsTheFileItself) {
+  const TempFolder folder;
+  const TriangleMesh mesh = sheet(10);
+  ASSERT_EQ(pieceEnds(mesh, LargestFileBytes), std::vector<std::size_t>{200});
+  ASSERT_EQ(pieceFiles("a/rul.vtp", 1), std::vector<std::filesystem::path>{"a/rul.vtp"});
+  writeSurfacePieces(folder / "pieces.vtp", mesh, {200});
+  writeSurface(folder / "whole.vtp", mesh);
+  EXPECT_EQ(fileContent(folder / "pieces.vtp"), fileContent(folder / "whole.vtp"));
+  writeTreePieces(folder / "pieces.vtp", chain(10), {{"method", "none"}}, {10});
+  writeTree(folder / "whole.vtp", chain(10), {{"method", "none"}});
+  EXPECT_EQ(fileContent(folder / "pieces.vtp"), fileContent(folder / "whole.vtp"));
+  EXPECT_TRUE(firstPieceIn(folder.path()).empty());
+}
+
+TEST(PieceFiles, OfASurfaceMakeItUpAgain) {
+  const TempFolder folder;
+  const TriangleMesh mesh = sheet(60);
+  constexpr std::uint64_t Largest = 100'000;
+  const std::vector<std::size_t> ends = pieceEnds(mesh, Largest);
+  ASSERT_GT(ends.size(), 3U);
+  writeSurfacePieces(folder / "a b.vtp", mesh, ends);
+  expectWithin(folder / "a b.vtp", ends.size(), Largest);
+  EXPECT_FALSE(std::filesystem::exists(folder / "a b.vtp"));
+
+  const auto pieces = opened(folder, "a b", ends.size());
+  ASSERT_EQ(pieces.size(), ends.size());
+  std::size_t i = 0;
+  vtkIdType points = 0;
+  vtkNew<vtkIdList> corners;
+  for (const auto& piece : pieces) {
+    ASSERT_NE(piece, nullptr);
+    points += piece->GetNumberOfPoints();
+    for (vtkIdType cell = 0; cell < piece->GetNumberOfPolys(); ++cell, ++i) {
+      piece->GetCellPoints(cell, corners);
+      ASSERT_EQ(corners->GetNumberOfIds(), 3);
+      for (int k = 0; k < 3; ++k) {
+        const Vec3 there(piece->GetPoint(corners->GetId(k)));
+        ASSERT_EQ(there, mesh.points[mesh.triangles.at(i)[static_cast<std::size_t>(k)]]) << i;
+      }
+    }
+  }
+  EXPECT_EQ(i, mesh.triangles.size());
+  EXPECT_LT(points, static_cast<vtkIdType>(2 * mesh.points.size())) << "they are joined in a piece";
+  EXPECT_EQ(readSurface(pieceFiles(folder / "a b.vtp", ends.size())[1]).space, "LPS");
+}
+
+TEST(PieceFiles, OfATreeKeepItsBranchesAndColumns) {
+  const TempFolder folder;
+  const AirwayTree tree = chain(2000);
+  constexpr std::uint64_t Largest = 80'000;
+  const std::vector<std::size_t> ends = pieceEnds(tree, Largest);
+  ASSERT_GT(ends.size(), 3U);
+  writeTreePieces(folder / "tree.vtp", tree, {{"method", "none"}}, ends);
+  expectWithin(folder / "tree.vtp", ends.size(), Largest);
+  const auto pieces = opened(folder, "tree", ends.size());
+  ASSERT_EQ(pieces.size(), ends.size());
+  std::size_t i = 0;
+  vtkNew<vtkIdList> points;
+  for (const auto& piece : pieces) {
+    ASSERT_NE(piece, nullptr);
+    const auto cells = [&](const char* name) { return piece->GetCellData()->GetArray(name); };
+    for (const char* name : {"lobe", "side", "segment", "horsfield_order", "strahler_order",
+                             "length_mm", "diameter_mm", "flow_fraction", "region_ml", "terminal",
+                             "origin", "ending", "supplied_ml"}) {
+      EXPECT_NE(cells(name), nullptr) << name;
+    }
+    EXPECT_NE(piece->GetFieldData()->GetAbstractArray("method"), nullptr);
+    for (vtkIdType cell = 0; cell < piece->GetNumberOfLines(); ++cell, ++i) {
+      const Branch& branch = tree[i];
+      ASSERT_EQ(cells("id")->GetTuple1(cell), static_cast<double>(i));
+      ASSERT_EQ(cells("parent")->GetTuple1(cell), static_cast<double>(branch.parent));
+      ASSERT_EQ(cells("generation")->GetTuple1(cell), static_cast<double>(i));
+      piece->GetCellPoints(cell, points);
+      ASSERT_EQ(points->GetNumberOfIds(), static_cast<vtkIdType>(branch.via.size() + 2));
+      ASSERT_EQ(Vec3(piece->GetPoint(points->GetId(0))), branch.proximal);
+      ASSERT_EQ(piece->GetPointData()->GetArray("radius")->GetTuple1(points->GetId(0)),
+                branch.radiusMm);
+    }
+  }
+  EXPECT_EQ(i, tree.size());
+}
+
+TEST(PieceFiles, OfTrianglesThatShareNoPointStayWithinTheSize) {
+  const TempFolder folder;
+  TriangleMesh mesh;
+  for (std::uint32_t i = 0; i < 9000; ++i) {
+    const std::uint32_t at = 3 * ((i * 4001) % 9000);
+    mesh.triangles.push_back({at, at + 1, at + 2});
+  }
+  for (std::uint32_t i = 0; i < 27000; ++i) mesh.points.emplace_back(i, i % 7, i % 3);
+  for (const std::uint64_t largest : {LeastFileBytes, std::uint64_t{123'456}}) {
+    const std::vector<std::size_t> ends = pieceEnds(mesh, largest);
+    writeSurfacePieces(folder / "apart.vtp", mesh, ends);
+    expectWithin(folder / "apart.vtp", ends.size(), largest);
+  }
+}
+
+TEST(PieceFiles, OfALongBranchIsOne) {
+  AirwayTree tree = chain(3);
+  Branch branch = tree[2];
+  branch.parent = 2;
+  branch.via.assign(5000, {Vec3::Zero(), 1.0});
+  tree.add(branch);
+  branch.parent = 3;
+  branch.via.clear();
+  tree.add(branch);
+  EXPECT_EQ(pieceEnds(tree, LeastFileBytes), (std::vector<std::size_t>{3, 4, 5}));
+}
+
+TEST(PieceFiles, AreNotReadAsTheWhole) {
+  const TempFolder folder;
+  const TriangleMesh mesh = sheet(60);
+  requireWhole(folder.path());
+  requireWhole(folder / "absent");
+  writeSurfacePieces(folder / "rul.vtp", mesh, pieceEnds(mesh, 100'000));
+  EXPECT_EQ(firstPieceIn(folder.path()), folder / "rul" / "rul_0.vtp");
+  EXPECT_THROW(requireWhole(folder.path()), Unsupported);
+}
+
+}  // namespace
+}  // namespace pneuma
