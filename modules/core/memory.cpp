@@ -118,12 +118,14 @@ std::uint64_t availableMemoryBytes() {
 }
 
 std::string adviceForMemory() {
-  const std::uint64_t free = bytesOf("/proc/meminfo", "MemAvailable");
-  const std::uint64_t process = leftOfProcess();
-  const std::uint64_t group = memoryLeftInGroups();
-  if (group < std::min(free, process)) return "give the job or the container more";
-  if (process < free) return "give more with --max-memory (or ulimit)";
-  return "close other programs, or use a machine with more";
+  return adviceForMemory(bytesOf("/proc/meminfo", "MemAvailable"), leftOfProcess(),
+                         memoryLeftInGroups());
+}
+
+std::string adviceForMemory(std::uint64_t machine, std::uint64_t process, std::uint64_t group) {
+  if (group < std::min(machine, process)) return "give the job or the container more memory";
+  if (process < machine) return "allow more memory with --max-memory (or ulimit)";
+  return "close other programs, or use a machine with more memory";
 }
 
 }  // namespace pneuma

@@ -18,7 +18,10 @@ std::uint64_t availableMemoryBytes();
 std::uint64_t memoryLeftInGroups(const std::string& root = "");
 
 /// What a person can do where availableMemoryBytes() is too little, by what limits it: "close other
-/// programs, or use a machine with more".
+/// programs, or use a machine with more memory".
 std::string adviceForMemory();
+
+/// The same by what they leave, bytes.
+std::string adviceForMemory(std::uint64_t machine, std::uint64_t process, std::uint64_t group);
 
 }  // namespace pneuma

@@ -8,6 +8,7 @@
 #include "io/detail/text_fields.h"
 #include "io/detail/tree_formats.h"
 #include "io/surface_file.h"
+#include "io/tree_file.h"
 
 namespace pneuma {
 namespace {
@@ -117,29 +118,29 @@ void writeSurfacePieces(const fs::path& file, const TriangleMesh& mesh,
 void writeTreePieces(const fs::path& file, const AirwayTree& tree,
                      const std::map<std::string, std::string>& metadata,
                      const std::vector<std::size_t>& ends) {
+  if (ends.size() == 1) return writeTree(file, tree, metadata);
+  requireWritable(tree, metadata);
   writePieces(file, ends, [&](const fs::path& piece, std::size_t first, std::size_t end) {
     writeFile(piece, vtpText(tree, metadata, first, end));
   });
 }
 
 fs::path firstPieceIn(const fs::path& folder) {
-  std::error_code error;
-  std::vector<fs::path> found;
-  for (fs::directory_iterator inside(folder, error), none; !error && inside != none;
-       inside.increment(error)) {
-    const fs::path piece = inside->path() / (inside->path().filename().string() + "_0.vtp");
-    if (fs::is_regular_file(piece, error)) found.push_back(piece);
-    error.clear();
+  for (const char* stem : {"central", "lll", "left", "lul", "right", "rll", "rml", "rul", "tree"}) {
+    const fs::path whole = folder / (stem + std::string(".vtp"));
+    const fs::path piece = pieceFiles(whole, 2).front();
+    std::error_code error;
+    if (fs::is_regular_file(piece, error) && !fs::exists(whole, error)) return piece;
   }
-  return found.empty() ? fs::path() : *std::ranges::min_element(found);
+  return {};
 }
 
 void requireWhole(const fs::path& folder) {
   const fs::path piece = firstPieceIn(folder);
   if (piece.empty()) return;
-  throw Unsupported("the folder " + quoted(folder) + " holds surfaces or trees in pieces, as " +
-                    quoted(piece) +
-                    ", which are for ParaView alone; export them again with a larger "
+  throw Unsupported("the folder " + quoted(folder) +
+                    " holds surfaces or trees in pieces for ParaView, as " + quoted(piece) +
+                    "; open the project that they are of, or export it again with a larger "
                     "--largest-file");
 }
 

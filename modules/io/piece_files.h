@@ -45,7 +45,8 @@ void writeTreePieces(const std::filesystem::path& file, const AirwayTree& tree,
                      const std::map<std::string, std::string>& metadata,
                      const std::vector<std::size_t>& ends);
 
-/// The first thing that a folder holds in pieces, "rul/rul_0.vtp"; empty if there is none.
+/// The first piece of a lobe, a lung or a tree that a folder holds in pieces alone, as a case is
+/// exported: "rul/rul_0.vtp" without "rul.vtp"; empty if there is none.
 std::filesystem::path firstPieceIn(const std::filesystem::path& folder);
 
 /// @throws Unsupported if a folder that is to be read holds something in pieces

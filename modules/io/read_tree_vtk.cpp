@@ -198,6 +198,10 @@ TreeFile readVtkTree(const std::string& content, const std::string& name) {
     throw InvalidInput(name + " holds no lines, so no airway; is it the right file?");
   }
   if (polyData != nullptr && isOwn(*polyData)) {
+    if (const std::string piece = fieldText(*data, PieceKey.data()); !piece.empty()) {
+      throw Unsupported(name + " holds a piece of a tree (" + piece +
+                        "), which is for ParaView; read the whole tree, or the project");
+    }
     file.tree = readOwn(*polyData, name, file.notes);
   } else {
     file.tree = graphOf(*data, name, file.notes).tree(name);

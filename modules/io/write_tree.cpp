@@ -28,6 +28,11 @@ void requireWritableMetadata(const Metadata& metadata) {
 
 }  // namespace
 
+void requireWritable(const AirwayTree& tree, const Metadata& metadata) {
+  requireWritableTree(tree);
+  requireWritableMetadata(metadata);
+}
+
 std::string treeText(const AirwayTree& tree, const std::string& format, const Metadata& metadata) {
   using Writer = std::string (*)(const AirwayTree&, const Metadata&);
   const Writer writer = format == "vtp"    ? static_cast<Writer>(vtpText)
@@ -39,8 +44,7 @@ std::string treeText(const AirwayTree& tree, const std::string& format, const Me
     throw Unsupported("an airway tree cannot be written as \"" + format +
                       "\"; use vtp, swc, csv or json");
   }
-  requireWritableTree(tree);
-  requireWritableMetadata(metadata);
+  requireWritable(tree, metadata);
   return writer(tree, metadata);
 }
 

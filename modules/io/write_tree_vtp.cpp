@@ -90,6 +90,11 @@ std::string vtpText(const AirwayTree& tree, const Metadata& metadata, std::size_
   addColumn<Byte>(*data, first, "ending", [&](std::size_t i) { return tree[i].ending; });
   addColumn<Real>(*data, first, "supplied_ml", [&](std::size_t i) { return tree[i].suppliedMl; });
   for (const auto& [key, value] : metadata) setFieldText(*data, key, value);
+  if (end - first < tree.size()) {
+    setFieldText(*data, std::string(PieceKey),
+                 "branches " + std::to_string(first) + " to " + std::to_string(end - 1) + " of " +
+                     std::to_string(tree.size()));
+  }
   setFieldText(*data, std::string(SpaceKey), "LPS");
   setFieldText(*data, std::string(UnitsKey), std::string(Units));
   return vtpText(*data);

@@ -87,8 +87,8 @@ void requireNoOtherPieces(const fs::path& folder, const std::vector<Block>& bloc
       other = pieceFiles(whole, count + 1).back();
     if (!fs::exists(folder / other, error)) continue;
     throw OutputFailed("'" + (folder / other).string() +
-                       "' is of an export into other pieces; remove what is there, or choose "
-                       "another folder");
+                       "' would stand beside this export, which divides it otherwise; remove what "
+                       "is there, or choose another folder");
   }
 }
 

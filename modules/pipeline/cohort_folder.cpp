@@ -106,7 +106,8 @@ std::string textFor(const WorkflowFile& file, const CohortWorkflow& workflow) {
   std::string text = withText(std::string(file.text), "@PNEUMA@", program);
   // Four fifths of what is free here, or of an amount that any machine has where it does not tell.
   const std::uint64_t available = availableMemoryBytes();
-  const std::uint64_t bytes = (available == 0 ? 4'000'000'000 : available) / 5 * 4;
+  const std::uint64_t known = available == 0 ? 4'000'000'000 : available;
+  const std::uint64_t bytes = std::max<std::uint64_t>(known / 5 * 4, 1'000'000'000);
   text = withText(text, "@MEMORY@", std::to_string(bytes / 1'000'000));
   return withText(text, "@AGAIN@", workflow.again);
 }

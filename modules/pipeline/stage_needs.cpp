@@ -113,6 +113,10 @@ std::uint64_t bytesWithImport(std::string_view stage, const ImageGeometry& geome
                   stageNeed("import", geometry, sideMm).bytes);
 }
 
+bool fits(std::uint64_t needed, std::uint64_t bytes) {
+  return LeastShare * static_cast<double>(needed) <= static_cast<double>(bytes);
+}
+
 std::string sizeText(const ImageGeometry& geometry) {
   return std::to_string(geometry.size[0]) + " x " + std::to_string(geometry.size[1]) + " x " +
          std::to_string(geometry.size[2]) + " voxels";
@@ -161,7 +165,7 @@ std::optional<double> sideThatFits(std::string_view stage, const ImageGeometry& 
   for (int tenths = 1; tenths <= static_cast<int>(LargestSideMm * 10.0); ++tenths) {
     const double side = tenths / 10.0;
     if (voxelsAt(geometry, side) >= voxelsAt(geometry, 0.0)) continue;
-    if (bytesWithImport(stage, geometry, side) <= bytes) return side;
+    if (fits(bytesWithImport(stage, geometry, side), bytes)) return side;
   }
   return {};
 }
@@ -170,10 +174,7 @@ void requireStageFits(std::string_view stage, const std::string& what,
                       const ImageGeometry& geometry, double sideMm) {
   const std::uint64_t available = availableMemoryBytes();
   const std::uint64_t needed = bytesWithImport(stage, geometry, sideMm);
-  if (available == 0 ||
-      LeastShare * static_cast<double>(needed) <= static_cast<double>(available)) {
-    return;
-  }
+  if (available == 0 || fits(needed, available)) return;
   const std::optional<double> side = sideThatFits(stage, geometry, available);
   std::string text = what + " takes about " + megabytes(needed) + " of memory for " +
                      sizeText(geometry) + ", and " + megabytes(available) + " are left; ";
@@ -181,7 +182,11 @@ void requireStageFits(std::string_view stage, const std::string& what,
     text += "with voxels of " + textOf(*side) + " mm (--resample " + textOf(*side) +
             ") it fits; or " + adviceForMemory();
   } else {
-    text += "no coarser voxels would fit either, as it has to be read first; " + adviceForMemory();
+    text += "no coarser voxels would fit either";
+    if (!fits(stageNeed("import", geometry, 0.0).bytes, available)) {
+      text += ", as it has to be read first";
+    }
+    text += "; " + adviceForMemory();
   }
   throw Error(ExitCode::OutOfMemory, text);
 }

@@ -22,7 +22,7 @@ struct StageNeed {
 };
 
 /// What the stages take for a CT, from reading it to the report, in their order. A law of its
-/// voxels and of those that large lungs take of it, fitted to synthetic chests of 5, 44 and 112
+/// voxels and of those that large lungs take of it, fitted to synthetic chests of 5, 55 and 112
 /// million voxels and to four real CTs, one of them cropped to the lungs, and rounded up
 /// (docs/cohort-plan.md has what was measured); memory of trees is that of the methods' defaults.
 /// @param sideMm of the voxels to which it is resampled as it is imported: `info` reads it as it
@@ -32,7 +32,7 @@ std::vector<StageNeed> stageNeeds(const ImageGeometry& geometry, double sideMm);
 /// The need of one stage. @throws std::out_of_range if there is no such stage
 StageNeed stageNeed(std::string_view stage, const ImageGeometry& geometry, double sideMm);
 
-/// {"segment": {"memory_mb": 574, "seconds": 7, "threads": 1}, ...}
+/// {"segment": {"memory_mb": 574, "seconds": 13, "threads": 1}, ...}
 Json toJson(std::span<const StageNeed> needs);
 
 /// The voxels of a CT after it was resampled. @param sideMm 0: it is not

@@ -65,11 +65,11 @@ expect "not all that was told is there: $(xargs ls <"$logs/out" 2>&1 >"$logs/non
 larger=$(find pieces -path pieces/fissures -prune -o -size +100k -print)
 expect "larger files: $larger" test -z "$larger"
 expect "the collection does not name the pieces" grep -q 'file="rul/rul_1.vtp"' pieces/case.vtm
-refuses "a folder in pieces" 5 "for ParaView alone" grow pieces --terminals 100 -o other.vtp
-refuses "surfaces in pieces" 5 "for ParaView alone" info pieces
-refuses "pieces over what is whole" 6 "rul.vtp' is of an export into other pieces" export case.pneuma --preset paraview --largest-file 100K -o paraview -f
-refuses "what is whole over pieces" 6 "rul_0.vtp' is of an export into other pieces" export case.pneuma --preset paraview -o pieces -f
-refuses "fewer pieces over more" 6 "vtp' is of an export into other pieces" export case.pneuma --preset paraview --largest-file 150K -o pieces -f
+refuses "a folder in pieces" 5 "in pieces for ParaView" grow pieces --terminals 100 -o other.vtp
+refuses "surfaces in pieces" 5 "in pieces for ParaView" info pieces
+refuses "pieces over what is whole" 6 "rul.vtp' would stand beside this export" export case.pneuma --preset paraview --largest-file 100K -o paraview -f
+refuses "what is whole over pieces" 6 "rul_0.vtp' would stand beside this export" export case.pneuma --preset paraview -o pieces -f
+refuses "fewer pieces over more" 6 "_[1-9][0-9]*.vtp' would stand beside this export" export case.pneuma --preset paraview --largest-file 150K -o pieces -f
 succeeds "the same pieces again" export case.pneuma --preset paraview --largest-file 100K -o pieces -f -q
 refuses "pieces over others" 6 '--force' export case.pneuma --preset paraview --largest-file 100K -o pieces
 refuses "pieces of nothing" 2 'largest-file is 64K or more' export case.pneuma --preset paraview --largest-file 1K -o other

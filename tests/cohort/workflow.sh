@@ -86,8 +86,10 @@ for _ in $(seq 3000); do
   sleep 0.1
 done
 for _ in $(seq 3000); do
+  kill -STOP -- "-$head"
   [ -n "$(grep -L '"exit"' study/logs/*/*.exit)" ] && break # something has started, and not ended
-  sleep 0.02
+  kill -CONT -- "-$head"
+  sleep 0.05
 done
 kill -9 -- "-$head"
 wait "$head" 2>/dev/null

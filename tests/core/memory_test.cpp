@@ -86,5 +86,15 @@ TEST_F(MemoryGroups, AContainerMayNotSeeThePathOfItsGroup) {
   EXPECT_EQ(left(), 3000U);
 }
 
+TEST(AdviceForMemory, IsOfWhatLimitsIt) {
+  EXPECT_EQ(adviceForMemory(5, NoLimit, NoLimit),
+            "close other programs, or use a machine with more memory");
+  EXPECT_EQ(adviceForMemory(5, 4, NoLimit), "allow more memory with --max-memory (or ulimit)");
+  EXPECT_EQ(adviceForMemory(5, 4, 3), "give the job or the container more memory");
+  EXPECT_EQ(adviceForMemory(5, 3, 4), "allow more memory with --max-memory (or ulimit)");
+}
+
+TEST(AvailableMemory, IsNotUnknownHere) { EXPECT_GT(availableMemoryBytes(), 1U); }
+
 }  // namespace
 }  // namespace pneuma

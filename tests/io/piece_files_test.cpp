@@ -207,6 +207,28 @@ TEST(PieceFiles, AreNotReadAsTheWhole) {
   writeSurfacePieces(folder / "rul.vtp", mesh, pieceEnds(mesh, 100'000));
   EXPECT_EQ(firstPieceIn(folder.path()), folder / "rul" / "rul_0.vtp");
   EXPECT_THROW(requireWhole(folder.path()), Unsupported);
+  writeSurface(folder / "rul.vtp", mesh);
+  EXPECT_NO_THROW(requireWhole(folder.path())) << "something of somebody else stands beside it";
+  std::filesystem::remove(folder / "rul.vtp");
+  std::filesystem::rename(folder / "rul", folder / "view");
+  std::filesystem::rename(folder / "view" / "rul_0.vtp", folder / "view" / "view_0.vtp");
+  EXPECT_NO_THROW(requireWhole(folder.path())) << "as ParaView saves view.vtm";
+  const AirwayTree tree = chain(2000);
+  const std::vector<std::size_t> ends = pieceEnds(tree, 80'000);
+  writeTreePieces(folder / "tree.vtp", tree, {}, ends);
+  for (const auto& piece : pieceFiles(folder / "tree.vtp", ends.size())) {
+    EXPECT_THROW(readTree(piece), Unsupported) << piece;
+  }
+}
+
+TEST(PieceFiles, OfATreeThatIsNoneAreNotWritten) {
+  const TempFolder folder;
+  AirwayTree tree = chain(2000);
+  tree.setRadiusMm(7, 0.0);
+  EXPECT_THROW(writeTreePieces(folder / "tree.vtp", tree, {}, pieceEnds(tree, 80'000)),
+               InvalidInput);
+  EXPECT_THROW(writeTreePieces(folder / "tree.vtp", tree, {}, {2000}), InvalidInput);
+  EXPECT_EQ(folder.fileCount(), 0U);
 }
 
 }  // namespace

@@ -21,13 +21,18 @@ TreeFile readTreeJson(const std::string& content, const std::string& name);
 
 std::string vtpText(const AirwayTree& tree, const Metadata& metadata);
 
-/// Branches from `first` to before `end`; "id", "parent" and orders are those of the whole tree.
+/// Branches from `first` to before `end`; "id", "parent" and orders are those of the whole tree,
+/// and the field data PieceKey say which branches they are.
 std::string vtpText(const AirwayTree& tree, const Metadata& metadata, std::size_t first,
                     std::size_t end);
 
 std::string swcText(const AirwayTree& tree, const Metadata& metadata);
 std::string treeCsvText(const AirwayTree& tree, const Metadata& metadata);
 std::string treeJsonText(const AirwayTree& tree, const Metadata& metadata);
+
+/// @throws InvalidInput for a tree without a branch or that is none, and for names of field data
+/// that not every format holds
+void requireWritable(const AirwayTree& tree, const Metadata& metadata);
 
 /// x and y change their sign between RAS and LPS. Turns the whole tree about the z axis.
 AirwayTree turnedFromRas(const AirwayTree& tree);
@@ -38,6 +43,8 @@ std::string turnedFromRasNote(const std::string& name);
 /// Keys of field data and comments that say how to read the file; the rest is metadata.
 inline constexpr std::string_view SpaceKey = "SPACE";
 inline constexpr std::string_view UnitsKey = "units";
+/// Of a VTP that holds some branches of a tree, which is not read as a whole one.
+inline constexpr std::string_view PieceKey = "piece";
 inline constexpr std::string_view Units = "mm, ml, fraction";
 
 inline constexpr std::string_view TreeJsonSchema = "pneuma/tree/1";

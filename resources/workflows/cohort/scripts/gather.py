@@ -108,7 +108,7 @@ def at(report, path):
 
 def ending(name, stage):
     """How a stage ended: {"exit": 4, "seconds": 1.2, "peak_mb": 93.0, "started": "2026-11-02T09:30:00+0100", "node":
-    "n1"}; only the last two if it still runs, or was killed with its node; empty if it did not run."""
+    "n1"}; only the last two if it still runs, or was killed with its job; empty if it did not run."""
     return read_json("logs", name, f"{stage}.exit")
 
 
@@ -145,21 +145,22 @@ def finished(name, ct, methods, breathing):
 def outcome(name, ct, done, methods, breathing):
     """("done" | "failed" | "not finished", the stage, its exit code, the reason)."""
     left = [stage for stage in stages(methods, breathing) if stage not in done]
-    open_end = None
+    unfinished = None
     for stage in left:
         end = ending(name, stage)
-        ready = all(one in done for one in before(stage, methods))
-        if end and "exit" not in end and ready:
-            why = f"{STARTED} at {end.get('started')} on {end.get('node')}: it still runs, or was killed with its node"
-            open_end = open_end or ("not finished", stage, None, why)
-        code = end.get("exit", 0)
-        if code not in (0, CHECK_FAILED, *STOPPED) and ready:
+        if not end or not all(one in done for one in before(stage, methods)):
+            continue
+        code = end.get("exit")
+        if code is None:
+            why = f"{STARTED} at {end.get('started')} on {end.get('node')}: it still runs, or was killed with its job"
+            unfinished = unfinished or ("not finished", stage, None, why)
+        elif code in STOPPED:
+            unfinished = unfinished or ("not finished", stage, code, "it was stopped, by a person or for taking too long")
+        elif code not in (0, CHECK_FAILED):
             return "failed", stage, code, anonymous(reason(name, stage), ct) or meaning(code)
-        if code in STOPPED:
-            return "not finished", stage, code, "it was stopped, by a person or for taking too long"
     if not left:
         return "done", "", None, ""
-    return open_end or ("not finished", left[0], None, "")
+    return unfinished or ("not finished", left[0], None, "")
 
 
 def to_check(reports):
