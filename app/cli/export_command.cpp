@@ -264,9 +264,6 @@ ExitCode runPreset(const ExportArguments& arguments, const CommonOptions& common
   if (!arguments.view.empty()) (void)viewDirection(arguments.view);
   ExportFormat format = arguments.as;
   if (!arguments.largestFile.empty()) {
-    if (arguments.preset != ExportPreset::Paraview) {
-      throw InvalidOption("--largest-file goes with --preset paraview; leave it out");
-    }
     format.largestFileBytes = parseBytes("--largest-file", arguments.largestFile);
     if (format.largestFileBytes < LeastFileBytes) {
       throw InvalidOption("--largest-file is 64K or more, but '" + arguments.largestFile +
@@ -296,13 +293,13 @@ ExitCode runPreset(const ExportArguments& arguments, const CommonOptions& common
 
 ExitCode runExport(const ExportArguments& arguments, const CommonOptions& common,
                    const Progress& progress) {
+  if (!arguments.largestFile.empty() && arguments.preset != ExportPreset::Paraview) {
+    throw InvalidOption("--largest-file goes with --preset paraview; leave it out");
+  }
   if (arguments.preset) return runPreset(arguments, common, progress);
   if (!arguments.view.empty()) throw InvalidOption("--view goes with --preset film");
   if (!arguments.as.name.empty()) {
     throw InvalidOption("--as goes with --preset; else it is --format");
-  }
-  if (!arguments.largestFile.empty()) {
-    throw InvalidOption("--largest-file goes with --preset paraview");
   }
   const std::vector<Lobe> only = parsedLobes(arguments.only);
   const std::vector<Job> all =

@@ -1,5 +1,7 @@
 #include "core/triangle_mesh.h"
 
+#include <limits>
+
 namespace pneuma {
 
 Box3 bounds(const TriangleMesh& mesh) {
@@ -25,6 +27,24 @@ double signedVolumeMm3(const TriangleMesh& mesh) {
     six += (mesh.points[a] - origin).dot((mesh.points[b] - origin).cross(mesh.points[c] - origin));
   }
   return six / 6.0;
+}
+
+TriangleMesh partOf(const TriangleMesh& mesh,
+                    std::span<const std::array<std::uint32_t, 3>> triangles) {
+  constexpr std::uint32_t None = std::numeric_limits<std::uint32_t>::max();
+  std::vector<std::uint32_t> places(mesh.points.size(), None);
+  TriangleMesh part;
+  part.triangles.assign(triangles.begin(), triangles.end());
+  for (auto& triangle : part.triangles) {
+    for (std::uint32_t& corner : triangle) {
+      if (places[corner] == None) {
+        places[corner] = static_cast<std::uint32_t>(part.points.size());
+        part.points.push_back(mesh.points[corner]);
+      }
+      corner = places[corner];
+    }
+  }
+  return part;
 }
 
 }  // namespace pneuma

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "core/math.h"
@@ -22,5 +23,11 @@ double areaMm2(const TriangleMesh& mesh);
 
 /// Signed volume by the divergence theorem: positive for a closed mesh oriented outwards, mm^3.
 double signedVolumeMm3(const TriangleMesh& mesh);
+
+/// Some triangles of a mesh as a mesh of their own, with the points that they use, in the order in
+/// which they use them.
+/// @param triangles with indices into the mesh's points
+TriangleMesh partOf(const TriangleMesh& mesh,
+                    std::span<const std::array<std::uint32_t, 3>> triangles);
 
 }  // namespace pneuma

@@ -1,7 +1,6 @@
 #include "io/piece_files.h"
 
-#include <algorithm>
-#include <limits>
+#include <span>
 
 #include "core/error.h"
 #include "io/atomic_file.h"
@@ -21,33 +20,13 @@ constexpr std::uint64_t BytesOfTriangle = 32;  ///< its points, and where it end
 constexpr std::uint64_t BytesOfTreePoint = BytesOfPoint + 16;  ///< a radius, its place in a line
 constexpr std::uint64_t BytesOfBranch = 8 + 66;                ///< where it ends, and its columns
 
-/// The triangles from `first` to before `end` with their points, in the order of the whole.
-TriangleMesh pieceOf(const TriangleMesh& mesh, std::size_t first, std::size_t end) {
-  constexpr std::uint32_t Unused = std::numeric_limits<std::uint32_t>::max();
-  std::vector<std::uint32_t> places(mesh.points.size(), Unused);
-  for (std::size_t i = first; i < end; ++i) {
-    for (const std::uint32_t corner : mesh.triangles[i]) places[corner] = 0;
-  }
-  TriangleMesh piece;
-  for (std::size_t point = 0; point < places.size(); ++point) {
-    if (places[point] == Unused) continue;
-    places[point] = static_cast<std::uint32_t>(piece.points.size());
-    piece.points.push_back(mesh.points[point]);
-  }
-  piece.triangles.reserve(end - first);
-  for (std::size_t i = first; i < end; ++i) {
-    const auto& [a, b, c] = mesh.triangles[i];
-    piece.triangles.push_back({places[a], places[b], places[c]});
-  }
-  return piece;
-}
-
 /// @param write gets a file, the first one in it and the end
+/// @pre there are several
 template <class Write>
 void writePieces(const fs::path& file, const std::vector<std::size_t>& ends, Write&& write) {
   const std::vector<fs::path> files = pieceFiles(file, ends.size());
   std::error_code error;
-  if (files.size() > 1) fs::create_directories(files.front().parent_path(), error);
+  fs::create_directories(files.front().parent_path(), error);
   if (error) {
     throw OutputFailed("the folder " + quoted(files.front().parent_path()) +
                        " cannot be made: " + error.message());
@@ -109,9 +88,9 @@ std::vector<fs::path> pieceFiles(const fs::path& file, std::size_t count) {
 
 void writeSurfacePieces(const fs::path& file, const TriangleMesh& mesh,
                         const std::vector<std::size_t>& ends) {
+  if (ends.size() == 1) return writeSurface(file, mesh);
   writePieces(file, ends, [&](const fs::path& piece, std::size_t first, std::size_t end) {
-    if (ends.size() == 1) return writeSurface(piece, mesh);
-    writeSurface(piece, pieceOf(mesh, first, end));
+    writeSurface(piece, partOf(mesh, std::span(mesh.triangles).subspan(first, end - first)));
   });
 }
 

@@ -82,17 +82,20 @@ void requireNoOtherPieces(const fs::path& folder, const std::vector<Block>& bloc
   for (const Block& block : blocks) {
     const fs::path whole = block.name + ".vtp";
     const std::size_t count = block.files.size();
-    fs::path other = count == 1 ? pieceFiles(whole, 2).front() : whole;
-    if (count > 1 && !fs::exists(folder / other, error))
-      other = pieceFiles(whole, count + 1).back();
-    if (!fs::exists(folder / other, error)) continue;
-    throw OutputFailed("'" + (folder / other).string() +
-                       "' would stand beside this export, which divides it otherwise; remove what "
-                       "is there, or choose another folder");
+    std::vector<fs::path> others = {count == 1 ? pieceFiles(whole, 2).front() : whole};
+    if (count > 1) others.push_back(pieceFiles(whole, count + 1).back());
+    for (const fs::path& other : others) {
+      if (!fs::exists(folder / other, error)) continue;
+      throw OutputFailed("'" + (folder / other).string() +
+                         "' would stand beside this export, which divides it otherwise; remove "
+                         "what is there, or choose another folder");
+    }
   }
 }
 
-void writeForParaview(const fs::path& folder, const ProjectState& state, const MadeBreath& breath,
+/// @param blocks blocksOf() the state
+void writeForParaview(const fs::path& folder, const ProjectState& state,
+                      const std::vector<Block>& blocks, const MadeBreath& breath,
                       std::uint64_t largestBytes, const Progress& progress) {
   for (const CasePart& part : partsOf(state)) {
     progress.throwIfStopped();
@@ -104,7 +107,7 @@ void writeForParaview(const fs::path& folder, const ProjectState& state, const M
     }
   }
   if (state.model.lobes) writeFissurePatches(folder, *state.model.lobes);
-  writeMultiblock(folder / TogetherFile, blocksOf(state, largestBytes));
+  writeMultiblock(folder / TogetherFile, blocks);
   progress.report(0.2);
   if (!breathes(state)) return;
   if (breath.lungs != nullptr) {
@@ -269,14 +272,14 @@ void writePreset(const fs::path& folder, ExportPreset preset, const ProjectState
   const std::string taken = takenFormat(preset, format.name);
   const ExportLack lack = lackOf(preset, state);
   if (lack != ExportLack::Nothing) throwLack(preset, lack);
-  if (preset == ExportPreset::Paraview) {
-    requireNoOtherPieces(folder, blocksOf(state, format.largestFileBytes));
-  }
   StagedFolder staged(folder);
   switch (preset) {
-    case ExportPreset::Paraview:
-      writeForParaview(staged.path(), state, breath, format.largestFileBytes, progress);
+    case ExportPreset::Paraview: {
+      const std::vector<Block> blocks = blocksOf(state, format.largestFileBytes);
+      requireNoOtherPieces(folder, blocks);
+      writeForParaview(staged.path(), state, blocks, breath, format.largestFileBytes, progress);
       break;
+    }
     case ExportPreset::Print:
       writeForPrinting(staged.path(), state.model, taken, progress);
       break;

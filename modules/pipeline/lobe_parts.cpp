@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <vector>
 
 namespace pneuma {
@@ -19,24 +18,12 @@ bool isLobeOrLung(std::uint8_t value) {
 std::map<Lobe, TriangleMesh> lobeParts(const TriangleMesh& mesh,
                                        std::span<const std::uint8_t> lobes) {
   if (lobes.empty() || !std::ranges::all_of(lobes, isLobeOrLung)) return {};
-  constexpr std::uint32_t None = std::numeric_limits<std::uint32_t>::max();
-  std::map<Lobe, TriangleMesh> parts;
-  std::map<Lobe, std::vector<std::uint32_t>> placeIn;  // of the mesh's points, in each part
+  std::map<Lobe, std::vector<std::array<std::uint32_t, 3>>> triangles;
   for (std::size_t n = 0; n < lobes.size(); ++n) {
-    const auto lobe = static_cast<Lobe>(lobes[n]);
-    TriangleMesh& part = parts[lobe];
-    std::vector<std::uint32_t>& places = placeIn[lobe];
-    if (places.empty()) places.assign(mesh.points.size(), None);
-    std::array<std::uint32_t, 3> triangle = mesh.triangles[n];
-    for (std::uint32_t& corner : triangle) {
-      if (places[corner] == None) {
-        places[corner] = static_cast<std::uint32_t>(part.points.size());
-        part.points.push_back(mesh.points[corner]);
-      }
-      corner = places[corner];
-    }
-    part.triangles.push_back(triangle);
+    triangles[static_cast<Lobe>(lobes[n])].push_back(mesh.triangles[n]);
   }
+  std::map<Lobe, TriangleMesh> parts;
+  for (const auto& [lobe, own] : triangles) parts.emplace(lobe, partOf(mesh, own));
   return parts;
 }
 

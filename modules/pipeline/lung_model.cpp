@@ -34,7 +34,9 @@ bool isFolder(const fs::path& path) {
 }
 
 /// The files of a folder that are surfaces of a lobe or a lung by name, sorted.
+/// @throws Unsupported if some of it is in pieces
 std::vector<fs::path> lobeFilesIn(const fs::path& folder) {
+  requireWhole(folder);
   std::vector<fs::path> files = filesIn(folder);
   // A lobe's name on what is no file, such as a link that leads nowhere: reading it says so.
   for (fs::path& path : unreadableIn(folder)) files.push_back(std::move(path));
@@ -47,7 +49,6 @@ std::vector<fs::path> lobeFilesIn(const fs::path& folder) {
 
 /// @throws InvalidInput for a folder that has no slices of a CT and no lobes
 void requireSomethingIn(const fs::path& folder) {
-  requireWhole(folder);
   if (!lobeFilesIn(folder).empty()) return;
   const std::size_t files = filesIn(folder).size();
   throw InvalidInput(
@@ -65,7 +66,6 @@ std::vector<fs::path> expanded(std::span<const fs::path> paths) {
       files.push_back(path);
       continue;
     }
-    requireWhole(path);
     const std::vector<fs::path> found = lobeFilesIn(path);
     if (found.empty()) {
       throw InvalidInput("the folder " + quoted(path) +

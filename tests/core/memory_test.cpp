@@ -1,12 +1,12 @@
 #include "core/memory.h"
 
 #include <filesystem>
-#include <fstream>
 #include <limits>
 #include <string>
 
 #include <gtest/gtest.h>
-#include <unistd.h>
+
+#include "io/temp_folder.h"
 
 namespace pneuma {
 namespace {
@@ -18,24 +18,15 @@ constexpr std::uint64_t NoLimit = std::numeric_limits<std::uint64_t>::max();
 /// A folder that stands for "/", with files of control groups.
 class MemoryGroups : public ::testing::Test {
  protected:
-  MemoryGroups() {
-    root_ = ::testing::TempDir() + "pneuma_groups_" + std::to_string(::getpid()) + "_" +
-            ::testing::UnitTest::GetInstance()->current_test_info()->name();
-    fs::remove_all(root_);
-  }
-
-  ~MemoryGroups() override { fs::remove_all(root_); }
-
   void write(const std::string& file, const std::string& text) const {
-    const fs::path path = root_ + "/" + file;
-    fs::create_directories(path.parent_path());
-    std::ofstream(path) << text;
+    fs::create_directories((root_ / file).parent_path());
+    root_.put(file, text);
   }
 
-  std::uint64_t left() const { return memoryLeftInGroups(root_); }
+  std::uint64_t left() const { return memoryLeftInGroups(root_.path()); }
 
  private:
-  std::string root_;
+  testing::TempFolder root_;
 };
 
 TEST_F(MemoryGroups, NoneLeavesAll) { EXPECT_EQ(left(), NoLimit); }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include <gtest/gtest.h>
@@ -21,6 +22,20 @@ TEST(TriangleMesh, MeasuresOfATetrahedron) {
   EXPECT_NEAR(areaMm2(mesh), 3 * 18.0 + std::sqrt(3.0) / 4.0 * 72.0, 1e-12);
   EXPECT_EQ(bounds(mesh).min(), Vec3(-2, 5, 9));
   EXPECT_EQ(bounds(mesh).max(), Vec3(4, 11, 15));
+}
+
+TEST(TriangleMesh, APartHasThePointsThatItUses) {
+  const TriangleMesh mesh = corner(6.0, Vec3::Zero());
+  const TriangleMesh part = partOf(mesh, std::span(mesh.triangles).subspan(2, 2));
+  ASSERT_EQ(part.points.size(), 4U);
+  ASSERT_EQ(part.triangles.size(), 2U);
+  for (std::size_t t = 0; t < 2; ++t) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      EXPECT_EQ(part.points[part.triangles[t][k]], mesh.points[mesh.triangles[t + 2][k]]);
+    }
+  }
+  EXPECT_EQ(partOf(mesh, std::span(mesh.triangles).first(1)).points.size(), 3U);
+  EXPECT_TRUE(partOf(mesh, {}).points.empty());
 }
 
 TEST(TriangleMesh, VolumeIsNegativeInsideOut) {

@@ -1,8 +1,5 @@
 #include "io/piece_files.h"
 
-#include <fstream>
-#include <sstream>
-
 #include <gtest/gtest.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
@@ -15,6 +12,7 @@
 #include <vtkXMLMultiBlockDataReader.h>
 
 #include "core/error.h"
+#include "io/atomic_file.h"
 #include "io/multiblock_file.h"
 #include "io/surface_file.h"
 #include "io/tree_file.h"
@@ -25,12 +23,6 @@ namespace pneuma {
 namespace {
 
 using testing::TempFolder;
-
-std::string fileContent(const std::filesystem::path& path) {
-  std::ostringstream text;
-  text << std::ifstream(path, std::ios::binary).rdbuf();
-  return text.str();
-}
 
 /// A sheet of 2 n^2 triangles.
 TriangleMesh sheet(std::uint32_t n) {
@@ -90,6 +82,17 @@ void expectWithin(const std::filesystem::path& file, std::size_t count, std::uin
   }
 }
 
+/// The same once they were found to be several, each within the size.
+std::vector<vtkSmartPointer<vtkPolyData>> severalOpened(const TempFolder& folder,
+                                                        const std::string& stem, std::size_t count,
+                                                        std::uint64_t largest) {
+  EXPECT_GT(count, 3U);
+  expectWithin(folder / (stem + ".vtp"), count, largest);
+  const auto pieces = opened(folder, stem, count);
+  EXPECT_EQ(pieces.size(), count);
+  return pieces;
+}
+
 TEST(PieceFiles, OneIsTheFileItself) {
   const TempFolder folder;
   const TriangleMesh mesh = sheet(10);
@@ -97,10 +100,10 @@ TEST(PieceFiles, OneIsTheFileItself) {
   ASSERT_EQ(pieceFiles("a/rul.vtp", 1), std::vector<std::filesystem::path>{"a/rul.vtp"});
   writeSurfacePieces(folder / "pieces.vtp", mesh, {200});
   writeSurface(folder / "whole.vtp", mesh);
-  EXPECT_EQ(fileContent(folder / "pieces.vtp"), fileContent(folder / "whole.vtp"));
+  EXPECT_EQ(readFile(folder / "pieces.vtp"), readFile(folder / "whole.vtp"));
   writeTreePieces(folder / "pieces.vtp", chain(10), {{"method", "none"}}, {10});
   writeTree(folder / "whole.vtp", chain(10), {{"method", "none"}});
-  EXPECT_EQ(fileContent(folder / "pieces.vtp"), fileContent(folder / "whole.vtp"));
+  EXPECT_EQ(readFile(folder / "pieces.vtp"), readFile(folder / "whole.vtp"));
   EXPECT_TRUE(firstPieceIn(folder.path()).empty());
 }
 
@@ -109,13 +112,9 @@ TEST(PieceFiles, OfASurfaceMakeItUpAgain) {
   const TriangleMesh mesh = sheet(60);
   constexpr std::uint64_t Largest = 100'000;
   const std::vector<std::size_t> ends = pieceEnds(mesh, Largest);
-  ASSERT_GT(ends.size(), 3U);
   writeSurfacePieces(folder / "a b.vtp", mesh, ends);
-  expectWithin(folder / "a b.vtp", ends.size(), Largest);
   EXPECT_FALSE(std::filesystem::exists(folder / "a b.vtp"));
-
-  const auto pieces = opened(folder, "a b", ends.size());
-  ASSERT_EQ(pieces.size(), ends.size());
+  const auto pieces = severalOpened(folder, "a b", ends.size(), Largest);
   std::size_t i = 0;
   vtkIdType points = 0;
   vtkNew<vtkIdList> corners;
@@ -141,11 +140,8 @@ TEST(PieceFiles, OfATreeKeepItsBranchesAndColumns) {
   const AirwayTree tree = chain(2000);
   constexpr std::uint64_t Largest = 80'000;
   const std::vector<std::size_t> ends = pieceEnds(tree, Largest);
-  ASSERT_GT(ends.size(), 3U);
   writeTreePieces(folder / "tree.vtp", tree, {{"method", "none"}}, ends);
-  expectWithin(folder / "tree.vtp", ends.size(), Largest);
-  const auto pieces = opened(folder, "tree", ends.size());
-  ASSERT_EQ(pieces.size(), ends.size());
+  const auto pieces = severalOpened(folder, "tree", ends.size(), Largest);
   std::size_t i = 0;
   vtkNew<vtkIdList> points;
   for (const auto& piece : pieces) {

@@ -20,7 +20,6 @@ EXITS = {
 
 CHECK_FAILED = 7
 STOPPED = (130, 143)  # by a person, or by the engine
-STARTED = "no end was told of what started"
 
 
 def meaning(code):
@@ -152,7 +151,8 @@ def outcome(name, ct, done, methods, breathing):
             continue
         code = end.get("exit")
         if code is None:
-            why = f"{STARTED} at {end.get('started')} on {end.get('node')}: it still runs, or was killed with its job"
+            why = f"no end was told of what started at {end.get('started')} on {end.get('node')}"
+            why += ": it still runs, or was killed with its job"
             unfinished = unfinished or ("not finished", stage, None, why)
         elif code in STOPPED:
             unfinished = unfinished or ("not finished", stage, code, "it was stopped, by a person or for taking too long")
