@@ -297,6 +297,18 @@ bool isLooseSlice(const fs::path& path) {
   return start != "PK";
 }
 
+/// A volume of so few values that none of them is air in Hounsfield units: labels of a CT.
+bool isLabelVolume(const fs::path& path) {
+  if (!isVolumeFile(path)) return false;
+  try {
+    const VolumeHeader header = readVolumeHeader(path);
+    return header.slope == 1.0 && header.intercept == 0.0 &&
+           (header.scalarType == "uint8" || header.scalarType == "int8");
+  } catch (const Error&) {
+    return false;  // a case that fails alone, and says why
+  }
+}
+
 /// The entries of a folder that hold a CT, in the order of their names.
 std::vector<CohortCase> casesInFolder(const CohortSource& source, Recipes& recipes,
                                       std::vector<std::string>& notes, const Progress& progress) {
@@ -316,7 +328,7 @@ std::vector<CohortCase> casesInFolder(const CohortSource& source, Recipes& recip
   for (std::size_t i = 0; i < entries.size(); ++i) {
     if (isLooseSlice(entries[i])) {
       ++slices;
-    } else if (isCtPath(entries[i])) {
+    } else if (isCtPath(entries[i]) && !isLabelVolume(entries[i])) {
       cts.push_back(entries[i]);
     } else {
       ++others;

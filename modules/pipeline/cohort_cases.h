@@ -34,8 +34,8 @@ struct CohortSource {
 /// Reads the list of cases and every recipe, fissure file and file of corrections that it names. A
 /// table has a column "ct" (or "path") and may have "case", "series", "fissures" and "recipe";
 /// further columns go on into the table of results. Paths are relative to the table. Of a folder,
-/// every entry that is a CT is a case: case-001, case-002, ... Lobes are split and trees are grown
-/// also where a recipe says nothing of them.
+/// every entry that is a CT is a case: case-001, case-002, ...; volumes of 8 bits are labels. Lobes
+/// are split and trees are grown also where a recipe says nothing of them.
 /// @throws InputMissing, InvalidInput, InvalidOption: what is wrong with the table as a whole, or
 /// with up to five of its lines: a path that does not exist, a name that is there twice or that no
 /// folder can have, a recipe that cannot be

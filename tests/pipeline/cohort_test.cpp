@@ -5,6 +5,7 @@
 
 #include "core/error.h"
 #include "io/temp_folder.h"
+#include "io/volume_file.h"
 #include "pipeline/cohort_folder.h"
 #include "pipeline/recipe_arguments.h"
 
@@ -141,6 +142,19 @@ TEST_F(Cohorts, TakeTheScansOfAFolder) {
   EXPECT_EQ(readCohort({path("scans"), {}, true}).cases[0].name, "Abel.nii");
   fs::create_directory(path("empty"));
   EXPECT_THROW(readCohort({path("empty"), {}, false}), InputMissing);
+}
+
+TEST_F(Cohorts, PassOverTheLabelsOfAScan) {
+  fs::create_directory(path("scans"));
+  const ImageGeometry geometry{.size = {4, 4, 4}};
+  writeVolume(path("scans/a.nii.gz"), CtImage{geometry, std::vector<std::int16_t>(64)});
+  for (const char* name : {"scans/a-lobes.nii.gz", "scans/a.mha", "scans/a.nrrd"}) {
+    writeVolume(path(name), LabelImage{geometry, std::vector<std::uint8_t>(64)});
+  }
+  const Cohort cohort = readCohort({path("scans"), {}, false});
+  ASSERT_EQ(cohort.cases.size(), 1U);
+  EXPECT_EQ(cohort.cases[0].ct, path("scans/a.nii.gz"));
+  EXPECT_THAT(cohort.notes, ElementsAre(HasSubstr("3 of 4 entries")));
 }
 
 TEST_F(Cohorts, WriteAWorkflowThatKeepsWhatPeopleEdit) {

@@ -164,12 +164,13 @@ def outcome(name, ct, done, methods, breathing):
 
 
 def to_check(reports):
-    """What a person should look at: warnings, and checks that do not hold, as sentences."""
+    """What a person should look at: warnings, and checks that do not hold and are in none of them, as sentences."""
     found = []
     for stage, report in reports.items():
-        found += [f"{stage}: {warning}" for warning in report.get("warnings", [])]
+        warnings = report.get("warnings", [])
+        found += [f"{stage}: {warning}" for warning in warnings]
         for check in report.get("checks", []):
-            if check.get("ok", True):
+            if check.get("ok", True) or any(warning.startswith(f"{check.get('what')}:") for warning in warnings):
                 continue
             limits = [f"{key} {check[key]:g}" for key in ("low", "high", "limit") if isinstance(check.get(key), (int, float))]
             value = check.get("value")
