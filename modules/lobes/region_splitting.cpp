@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "core/error.h"
 #include "geometry/self_intersections.h"
@@ -16,9 +17,13 @@ namespace {
 
 /// How near the cut runs past points, round by round: rather good triangles first.
 constexpr std::array<double, 7> Snaps = {0.1, 0.1, 0.03, 0.0, 0.0, 0.0, 0.0};
+/// A fissure that only touches the lung somewhere may meet it there however fine both are divided;
+/// a little aside it does not. Along its normal, mm, in the order of the tries.
+constexpr std::array<double, 7> MovesMm = {0.0, 0.05, -0.05, 0.1, -0.1, 0.2, -0.2};
 constexpr int MostJoins = 4;
 constexpr double NearMm = 6.0;  ///< from the fissure, where new triangles may meet others
 
+/// Splits along one fissure as it lies.
 class Splitter {
  public:
   Splitter(const RegionComplex& complex, const HeightSurface& fissure, const SplitRegion& settings,
@@ -30,7 +35,8 @@ class Splitter {
     cut_.capSpacingMm = settings.capSpacingMm;
   }
 
-  RegionComplex split(SplitReport& report, const Progress& progress) {
+  /// Nothing if every cut meets the region's own triangles.
+  std::optional<RegionComplex> split(SplitReport& report, const Progress& progress) {
     for (std::size_t round = 0; round < Snaps.size(); ++round) {
       report.rounds = static_cast<int>(round) + 1;
       progress.report(static_cast<double>(round) / static_cast<double>(Snaps.size()));
@@ -53,14 +59,11 @@ class Splitter {
       last_ = CutOutcome::Done;
       refine(work, cut, meeting);
     }
-    throw InvalidInput(
-        "the " + what_ +
-        (last_ == CutOutcome::Folds
-             ? " folds over itself, seen along its best plane; take points away where it bends "
-               "back"
-             : " could not be cut through the lung without triangles that meet each other; move "
-               "the points near the lung's edge a little, or repair the lung's surface"));
+    return std::nullopt;
   }
+
+  /// Whether the last cut failed because the fissure does.
+  bool folds() const { return last_ == CutOutcome::Folds; }
 
  private:
   /// Cuts until nothing is left on the wrong side.
@@ -181,9 +184,28 @@ class Splitter {
 SplitReport splitRegion(RegionComplex& complex, const HeightSurface& fissure,
                         const SplitRegion& settings, const std::string& what,
                         const Progress& progress) {
-  SplitReport report;
-  complex = Splitter(complex, fissure, settings, what).split(report, progress);
-  return report;
+  HeightSurface moved = fissure;
+  for (std::size_t i = 0; i < MovesMm.size(); ++i) {
+    SplitReport report;
+    report.movedMm = MovesMm[i];
+    moved.centre = fissure.centre + MovesMm[i] * fissure.normal();
+    Splitter splitter(complex, moved, settings, what);
+    const double start = i == 0 ? 0.0 : 0.5 + 0.05 * static_cast<double>(i);
+    std::optional<RegionComplex> parts =
+        splitter.split(report, progress.part(start, i == 0 ? 0.5 : start + 0.05, ""));
+    if (parts) {
+      complex = std::move(*parts);
+      return report;
+    }
+    if (splitter.folds()) {
+      throw InvalidInput("the " + what +
+                         " folds over itself, seen along its best plane; take points away where "
+                         "it bends back");
+    }
+  }
+  throw InvalidInput("the " + what +
+                     " could not be cut through the lung without triangles that meet each other; "
+                     "move the points near the lung's edge a little, or repair the lung's surface");
 }
 
 }  // namespace pneuma

@@ -88,7 +88,8 @@ void divideByMeshes(LabelImage& image, const SplitLung& lung, const Progress& pr
 void divide(LabelImage& image, const SplitLung& lung, const UsedFissures& fissures,
             const Progress& progress) {
   const bool byHeights = std::ranges::all_of(lung.reports, [&](const auto& report) {
-    return report.second.piecesJoined == 0 && !fissures.at(report.first).sheet;
+    const SplitReport& split = report.second;
+    return split.piecesJoined == 0 && split.movedMm == 0.0 && !fissures.at(report.first).sheet;
   });
   if (!byHeights) {
     divideByMeshes(image, lung, progress);

@@ -71,6 +71,7 @@ Json lobesReport(const LungModel& model, const LobesOfLungs& lobes, const LobeOp
       entry["rounds"] = found->second.rounds;
       entry["pieces_joined"] = found->second.piecesJoined;
       entry["joined_ml"] = millilitres(found->second.joinedMm3);
+      if (found->second.movedMm != 0.0) entry["moved_mm"] = found->second.movedMm;
     }
     report["fissures"].push_back(std::move(entry));
   }

@@ -229,6 +229,7 @@ void describe(Archive& archive, T& report) {
   archive("contact_mm2", report.contactMm2);
   archive("lowest_mm", report.lowestMm);
   archive("highest_mm", report.highestMm);
+  archive("moved_mm", report.movedMm);
 }
 
 template <class Archive, class T>
