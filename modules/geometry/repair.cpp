@@ -192,6 +192,7 @@ class Mending {
     const TriangleMesh now = fromCgal(mesh_);
     const MeshReport report = examine(now);
     if (!report.closed || report.orientedOutwards) return;
+    if (signedVolumeMm3(now) == 0.0) return;  // a sheet and its back, which have no outside
     if (report.selfIntersections == 0) {
       PMP::orient_to_bound_a_volume(mesh_);
     } else {

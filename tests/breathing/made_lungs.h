@@ -35,14 +35,16 @@ std::vector<LandmarkPair> madeLandmarks(std::size_t count, const Field& field, c
   std::vector<LandmarkPair> landmarks;
   while (landmarks.size() < count) {
     const Side side = landmarks.size() % 2 == 0 ? Side::Right : Side::Left;
-    const Vec3 place(random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0),
-                     random.uniform(-1.0, 1.0));
+    // One after the other: compilers do not agree in which order arguments are computed.
+    Vec3 place;
+    for (const int axis : {2, 1, 0}) place[axis] = random.uniform(-1.0, 1.0);
     if (place.norm() > 0.95) continue;
     LandmarkPair pair;
     pair.side = side;
     pair.rest = Vec3(side == Side::Right ? -75.0 : 75.0, 10.0, 30.0) +
                 place.cwiseProduct(Vec3(60.0, 95.0, 130.0));
-    const Vec3 noise(random.normal(), random.normal(), random.normal());
+    Vec3 noise;
+    for (const int axis : {2, 1, 0}) noise[axis] = random.normal();
     pair.moved = pair.rest + field(lungs.at(side), pair.rest) + shift + noiseMm * noise;
     landmarks.push_back(pair);
   }

@@ -113,7 +113,7 @@ TEST(DamagedVolume, NeverCrashes) {
         return static_cast<std::size_t>(random.uniform(0, static_cast<double>(damaged.size())));
       };
       for (int change = 0; change < 1 + trial % 3; ++change) {
-        damaged[place()] = static_cast<char>(random.uniform(0, 256));
+        damaged[place()] = static_cast<char>(static_cast<int>(random.uniform(0, 256)));
       }
       if (trial % 5 == 0) damaged.resize(place());
       try {
