@@ -148,10 +148,15 @@ AtomicFile::AtomicFile(const fs::path& path, Existing existing)
     : target_(targetOf(path)), existing_(existing) {
   requireFreeName(target_, existing);
   removeAbandoned(folderOf(target_));
+
+  // Who may not read what is replaced may not read what is written aside for it.
+  struct stat old {};
+
+  const mode_t mode = ::stat(target_.c_str(), &old) == 0 ? old.st_mode & 0666U : 0666U;
   for (int attempt = 0; attempt < 16; ++attempt) {
     part_ = folderOf(target_) / nameAside(PartEnding);
     noteUnfinished(part_);
-    number_ = ::open(part_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+    number_ = ::open(part_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, mode);
     if (number_ >= 0) {
       lockAside(number_);
       return;

@@ -40,7 +40,12 @@ fs::path newStage(const fs::path& folder) {
   removeAbandoned(parent.empty() ? fs::path(".") : parent);
   for (int n = 0; n < 100; ++n) {
     const fs::path stage = parent / nameAside(StageEnding);
-    if (fs::create_directory(stage, error)) return stage;
+    if (fs::create_directory(stage, error)) {
+      // In a folder that is there, nobody else may enter it: files move out one by one. Else it
+      // becomes the folder itself.
+      if (there) fs::permissions(stage, fs::perms::owner_all, error);
+      return stage;
+    }
     if (error) break;
   }
   throw OutputFailed("nothing can be written to '" + folder.string() + "'" +
@@ -67,7 +72,10 @@ class Moves {
     const fs::path target = to_ / file;
     makeFolder(target.parent_path());
     const bool was = isThere(target);
-    if (was) keepOld(target, from_ / OldOnes / file);
+    if (was) {
+      keepOld(target, from_ / OldOnes / file);
+      keepPermissions(target, from_ / file);
+    }
     done_.push_back({file, was});
     fs::rename(from_ / file, target);
     done_.back().moved = true;
@@ -109,6 +117,13 @@ class Moves {
     if (!error) return;
     // Disks without hard links (FAT, some network disks), and others' files.
     fs::copy(file, kept, fs::copy_options::copy_symlinks);
+  }
+
+  /// Who may read the old one may read the new one, and nobody else.
+  static void keepPermissions(const fs::path& old, const fs::path& file) {
+    std::error_code ignored;  // a link that leads nowhere
+    const fs::file_status status = fs::status(old, ignored);
+    if (fs::is_regular_file(status)) fs::permissions(file, status.permissions(), ignored);
   }
 
   fs::path from_;

@@ -47,6 +47,17 @@ TEST(WriteFile, KeepsThePermissionsOfTheFileItReplaces) {
   EXPECT_EQ(static_cast<int>(fs::status(path).permissions()), 0640);
 }
 
+TEST(WriteFile, HidesWhatItWritesAsideAsTheFileItReplaces) {
+  const TempFolder folder;
+  const fs::path path = folder.put("secret", "old");
+  ASSERT_EQ(::chmod(path.c_str(), 0600), 0);
+  const AtomicFile file(path);
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder.path())) {
+    EXPECT_EQ(static_cast<int>(fs::status(entry).permissions()), 0600) << entry.path();
+  }
+  EXPECT_EQ(folder.fileCount(), 2U);
+}
+
 TEST(WriteFile, WritesThroughASymbolicLink) {
   const TempFolder folder;
   folder.put("target", "old");

@@ -56,6 +56,18 @@ TEST(StagedFolder, ReplacesNothingUnasked) {
   EXPECT_EQ(std::distance(fs::directory_iterator(folder / "old"), {}), 1);
 }
 
+TEST(StagedFolder, KeepsWhoMayReadWhatItReplaces) {
+  const TempFolder folder;
+  fs::create_directory(folder / "old");
+  fs::permissions(folder.put("old/secret", "old"), fs::perms::owner_read | fs::perms::owner_write);
+  StagedFolder staged(folder / "old");
+  EXPECT_EQ(fs::status(staged.path()).permissions(), fs::perms::owner_all);
+  writeFile(staged.path() / "secret", "new");
+  staged.keep(Existing::Replace);
+  EXPECT_EQ(readFile(folder / "old/secret"), "new");
+  EXPECT_EQ(static_cast<int>(fs::status(folder / "old/secret").permissions()), 0600);
+}
+
 TEST(StagedFolder, BringsEverythingBackIfAFileHasNoPlace) {
   const TempFolder folder;
   fs::create_directory(folder / "old");
