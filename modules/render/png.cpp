@@ -11,6 +11,7 @@
 #include <vtkUnsignedCharArray.h>
 
 #include "core/error.h"
+#include "core/memory.h"
 #include "render/picture.h"
 #include "render/picture_data.h"
 #include "render/small_picture.h"
@@ -19,7 +20,6 @@
 namespace pneuma {
 namespace {
 
-constexpr std::uint32_t LargestSide = 16384;
 constexpr std::uintmax_t LargestFile = 512U << 20;
 constexpr std::array<unsigned char, 8> Signature = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
 
@@ -39,10 +39,17 @@ std::uint32_t checksum(const char* bytes, std::size_t count) {
   return ~crc;
 }
 
+/// What a header (IHDR) states.
+struct PngHeader {
+  std::uint32_t width = 0;
+  std::uint32_t height = 0;
+  unsigned char bits = 0;  ///< of a channel
+};
+
 /// Walks through the chunks, so that the reader behind never sees a damaged file: it would print
 /// to the terminal and return what it had.
 /// @return what is wrong, or "" if nothing is
-std::string damage(const std::string& file) {
+std::string damage(const std::string& file, std::uint32_t largestSide, PngHeader& header) {
   if (file.size() < Signature.size() ||
       std::memcmp(file.data(), Signature.data(), Signature.size()) != 0) {
     return "it is not a PNG file";
@@ -58,17 +65,33 @@ std::string damage(const std::string& file) {
     }
     if (first) {
       if (kind != "IHDR" || length != 13) return "it has no header";
-      const std::uint32_t width = bigEndian(file.data() + at + 8);
-      const std::uint32_t height = bigEndian(file.data() + at + 12);
-      if (width == 0 || height == 0 || width > LargestSide || height > LargestSide) {
-        return "it says it is " + std::to_string(width) + "x" + std::to_string(height) +
-               " pixels, and 1 to 16384 a side are read";
+      header.width = bigEndian(file.data() + at + 8);
+      header.height = bigEndian(file.data() + at + 12);
+      header.bits = static_cast<unsigned char>(file[at + 16]);
+      if (header.width == 0 || header.height == 0 || header.width > largestSide ||
+          header.height > largestSide) {
+        return "it says it is " + std::to_string(header.width) + "x" +
+               std::to_string(header.height) + " pixels, and 1 to " + std::to_string(largestSide) +
+               " a side are read";
       }
       first = false;
     }
     if (kind == "IEND") return {};
     at += length + 12;
   }
+}
+
+/// @throws Error (OutOfMemory) if the decoded picture would not fit
+void requireRoom(const PngHeader& header, const std::string& name) {
+  constexpr std::uint64_t Channels = 4;
+  const std::uint64_t pixels = std::uint64_t{header.width} * header.height;
+  // What VTK decodes, and the picture that is made of it.
+  const std::uint64_t bytes = pixels * (Channels * (header.bits > 8 ? 2 : 1) + 3);
+  const std::uint64_t available = availableMemoryBytes();
+  if (available == 0 || bytes <= available) return;
+  throw Error(ExitCode::OutOfMemory, name + " takes " + std::to_string(bytes >> 20) +
+                                         " MB of memory, but " + std::to_string(available >> 20) +
+                                         " MB are free; " + adviceForMemory());
 }
 
 std::string contentOf(const std::filesystem::path& path) {
@@ -95,11 +118,14 @@ Picture readPng(const std::filesystem::path& path) {
   return pngPicture(contentOf(path), "the picture '" + path.string() + "'");
 }
 
-Picture pngPicture(const std::string& content, const std::string& name) {
+Picture pngPicture(const std::string& content, const std::string& name, int largestSide) {
   const auto throwDamaged = [&](const std::string& what) {
     throw InvalidInput(name + " cannot be used: " + what);
   };
-  if (const std::string what = damage(content); !what.empty()) throwDamaged(what);
+  PngHeader header;
+  const std::string what = damage(content, static_cast<std::uint32_t>(largestSide), header);
+  if (!what.empty()) throwDamaged(what);
+  requireRoom(header, name);
   VtkMessages messages;
   vtkNew<vtkPNGReader> reader;
   reader->SetMemoryBuffer(content.data());

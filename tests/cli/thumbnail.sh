@@ -44,6 +44,8 @@ refuses "no archive" 4 "hello.pneuma" thumbnail hello.pneuma -o none.png
 refuses "a project that is not there" 3 "gone.pneuma" thumbnail gone.pneuma -o none.png
 refuses "a picture that is there already" 6 "small.png" thumbnail "a case.pneuma" -o small.png
 refuses "a folder that is not there" 6 "nowhere" thumbnail "a case.pneuma" -o nowhere/small.png
+succeeds "a name as file managers of MATE and Cinnamon choose them" thumbnail "a case.pneuma" -o .mate_desktop_thumbnail.X3kQ9z
+expect "nothing was written to it" test -s .mate_desktop_thumbnail.X3kQ9z
 refuses "another format" 5 "png" thumbnail "a case.pneuma" -o small.jpg
 refuses "a size that cannot be" 2 "size" thumbnail "a case.pneuma" -o none.png --size 5
 refuses "no output" 2 "output" thumbnail "a case.pneuma"

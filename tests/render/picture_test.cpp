@@ -90,6 +90,12 @@ TEST(Png, DamagedFilesAreRefused) {
   }
 }
 
+TEST(Png, ThatIsLargerThanAskedForIsNotDecoded) {
+  const std::string content = pngText(gradient(64, 48));
+  EXPECT_EQ(pngPicture(content, "the picture", 64).width, 64);
+  EXPECT_THROW(pngPicture(content, "the picture", 63), InvalidInput);
+}
+
 TEST(Png, KeepsPixelsAndNoText) {
   std::string content = pngText(gradient(64, 48));
   // What other programs leave in a picture, before its first pixels: a title, as PNG has it.
