@@ -9,6 +9,7 @@
 #include "cli/last_resort.h"
 #include "cli/limits.h"
 #include "core/memory_watch.h"
+#include "io/unfinished_files.h"
 
 namespace {
 
@@ -80,6 +81,7 @@ pneuma::ExitCode told(const std::exception& thrown) {
 
 /// The one place where the command line catches anything.
 int main(int argc, char** argv) {
+  pneuma::leaveNoCoreDumps();
   pneuma::cli::openStandardFiles();
   pneuma::cli::handleLastResort();
   pneuma::cli::rememberSignals();

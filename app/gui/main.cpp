@@ -12,7 +12,9 @@
 
 #include "core/error.h"
 #include "document/recovery.h"
+#include "end_signals.h"
 #include "io/atomic_file.h"
+#include "io/unfinished_files.h"
 #include "pipeline/report.h"
 #include "script_recorder.h"
 #include "scripting.h"
@@ -178,6 +180,7 @@ int runWindow(const CommandLine& line) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  leaveNoCoreDumps();
 #ifdef SIGXFSZ
   std::signal(SIGXFSZ, SIG_IGN);  // a file larger than allowed is said, and does not end the window
 #endif
@@ -199,6 +202,7 @@ int main(int argc, char** argv) {
   const bool others = arguments.contains(QStringLiteral("--settings"));
   if (!arguments.contains(QStringLiteral("--play")) && !others) takeSize(chosenSize());
   const auto application = makeApplication(argc, argv);
+  tidyUpAtEndSignals(application.get());
   if (!line.parser.parse(QCoreApplication::arguments())) {
     return say(stderr, "pneuma-desktop: " + line.parser.errorText().toStdString() + "\n",
                ExitCode::Usage);

@@ -6,6 +6,7 @@
 
 #include "core/error.h"
 #include "core/parallel.h"
+#include "io/atomic_file.h"
 #include "io/detail/dicom_pixels.h"
 #include "io/detail/text_fields.h"
 #include "io/member_archive.h"
@@ -169,6 +170,11 @@ bool isCtPath(const fs::path& path) {
   return !isProjectFileName(path) && (isVolumeFile(path) || isDicomPath(path));
 }
 
+std::string seriesName(const std::string& uid) {
+  constexpr std::size_t Digits = 16;
+  return "series-" + sha256(uid).substr(0, Digits);
+}
+
 const DicomSeries& chosenSeries(const std::vector<DicomSeries>& all, const SeriesChoice& choice) {
   if (choice.wanted.empty()) {
     if (all.front().refusal && all.size() > 1) {
@@ -179,8 +185,10 @@ const DicomSeries& chosenSeries(const std::vector<DicomSeries>& all, const Serie
     if (!all.front().refusal && all.front().ofAnotherPart) throwOfAnotherPart(all.front());
     return all.front();
   }
-  const auto byUid = std::ranges::find(all, choice.wanted, &DicomSeries::uid);
-  if (byUid != all.end()) return *byUid;
+  const auto named = std::ranges::find_if(all, [&](const DicomSeries& series) {
+    return series.uid == choice.wanted || seriesName(series.uid) == choice.wanted;
+  });
+  if (named != all.end()) return *named;
   const std::optional<std::int64_t> place = parseInteger(choice.wanted);
   if (place && *place >= 1 && *place <= static_cast<std::int64_t>(all.size())) {
     return all[static_cast<std::size_t>(*place - 1)];

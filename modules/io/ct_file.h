@@ -44,9 +44,13 @@ struct CtFile {
 /// True if a CT may be there: a volume file, a DICOM file, a zip archive, a folder with DICOM.
 bool isCtPath(const std::filesystem::path& path);
 
+/// The name of a series in what is kept and passed on: "series-" and 16 digits of the SHA-256 of
+/// its UID, which itself would lead to the person in a hospital's archive.
+std::string seriesName(const std::string& uid);
+
 /// Which series of several; the best one unless said otherwise.
 struct SeriesChoice {
-  std::string wanted;  ///< place in the list from 1 ("2"), or SeriesInstanceUID; "": the best
+  std::string wanted;  ///< place in the list from 1 ("2"), UID, or seriesName(); "": the best
   /// What listDicomSeries() found at the path already; null: it is looked for.
   std::shared_ptr<const std::vector<DicomSeries>> listed = nullptr;
 };

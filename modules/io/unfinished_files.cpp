@@ -4,6 +4,7 @@
 #include <array>
 #include <climits>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <ctime>
 #include <memory>
@@ -16,6 +17,7 @@
 #include <dirent.h>
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -195,6 +197,12 @@ void removeAbandoned(const fs::path& folder) {
   while (const dirent* entry = ::readdir(entries.get())) {
     if (isNameAside(entry->d_name)) removeIfAbandoned(::dirfd(entries.get()), entry->d_name);
   }
+}
+
+void leaveNoCoreDumps() noexcept {
+  if (std::getenv("PNEUMA_CORE_DUMPS") != nullptr) return;
+  const rlimit none{0, 0};
+  ::setrlimit(RLIMIT_CORE, &none);
 }
 
 void lockAside(int number) noexcept { ::flock(number, LOCK_EX | LOCK_NB); }

@@ -38,6 +38,10 @@ bool isNameAside(std::string_view name);
 /// finds. Machines that share a disk may not see each other's locks; an hour has to do there.
 void removeAbandoned(const std::filesystem::path& folder);
 
+/// From now on a crash of this process leaves no image of its memory behind, which may hold a
+/// person's CT and name; unless the environment has PNEUMA_CORE_DUMPS, for who looks for a fault.
+void leaveNoCoreDumps() noexcept;
+
 /// Others' removeAbandoned() leaves what this open file or folder is, until it is closed.
 void lockAside(int number) noexcept;
 

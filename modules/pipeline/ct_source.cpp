@@ -45,7 +45,7 @@ std::vector<SeriesChoice> choicesAt(const std::filesystem::path& path, const CtS
       std::make_shared<const std::vector<DicomSeries>>(listDicomSeries(path, progress));
   std::vector<SeriesChoice> choices = {{source.series, all}};
   for (const DicomSeries& series : *all) {
-    if (!series.refusal) choices.push_back({series.uid, all});
+    if (!series.refusal) choices.push_back({seriesName(series.uid), all});
   }
   return choices;
 }

@@ -69,7 +69,7 @@ class Outcome(unittest.TestCase):
         self.finish("info", "import")
         log = f"pneuma: warning: thick slices\npneuma: '{CT}' has no lungs; see \"/data/x\"\nTraceback\n"
         self.end("segment", FAILED_SEGMENT, log)
-        self.assertEqual(self.outcome(), ("failed", "segment", 4, "'the CT' has no lungs; see a file"))
+        self.assertEqual(self.outcome(), ("failed", "segment", 4, "'the CT' has no lungs; see '...'"))
 
     def test_a_failure_that_says_nothing_has_the_meaning_of_its_code(self):
         self.finish("info", "import")
@@ -101,6 +101,18 @@ class Outcome(unittest.TestCase):
         self.finish("info")
         self.end("segment", FAILED_SEGMENT)
         self.assertEqual(self.outcome(), ("not finished", "import", None, ""))
+
+
+class Anonymous(unittest.TestCase):
+    def test_no_quoted_name_is_left(self):
+        for quoted in ("'DOE_JANE_0042.dcm'", '"DOE_JANE_0042.dcm"', "'O'Doe's CT.dcm'", "'/data/doe/a b' and 'x/DOE'"):
+            sentence = gather.anonymous(f"the lung's slice {quoted} is damaged; get it anew", CT)
+            self.assertEqual(sentence, "the lung's slice '...' is damaged; get it anew")
+        self.assertNotIn("DOE", gather.anonymous(f"'{CT}/DOE.dcm' ends early", CT))
+
+    def test_the_ct_and_options_stay(self):
+        self.assertEqual(gather.anonymous(f"there is no file '{CT}'", CT), "there is no file 'the CT'")
+        self.assertEqual(gather.anonymous("try '--repair'", CT), "try '--repair'")
 
 
 class ToCheck(unittest.TestCase):

@@ -36,7 +36,8 @@ says first group '^a, b$'
 for name in cut gaps gone; do says "$name" status '^failed$'; done
 says cut stage '^info$'
 says cut exit_code '^4$'
-says cut reason 'slice-0020.dcm'
+says cut reason "^'\.\.\.' "
+expect "the log does not name the file" grep -q slice-0020.dcm study/logs/cut/info.log
 says gone exit_code '^3$'
 says gone reason 'there is no file .the CT.'
 says gone stage '^info$'

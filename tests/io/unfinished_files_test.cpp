@@ -1,9 +1,11 @@
 #include "io/unfinished_files.h"
 
+#include <cstdlib>
 #include <set>
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -166,6 +168,27 @@ TEST(StagedFolder, ReplacesFilesAtOnceAndBringsAllBackIfOneCannotBeMoved) {
   EXPECT_EQ(readFile(folder / "b"), "new");
   EXPECT_EQ(readFile(victim), "whole");
   EXPECT_EQ(readFile(folder / "made" / "anew" / "file"), "new");
+}
+
+/// In a process of its own: a limit that was lowered stays. 0 if no image would be left.
+int limitAfter() {
+  leaveNoCoreDumps();
+  rlimit limit{1, 1};
+  ::getrlimit(RLIMIT_CORE, &limit);
+  return limit.rlim_cur == 0 ? 0 : 1;
+}
+
+TEST(CoreDumps, AreNotLeftUnlessAskedFor) {
+  ::unsetenv("PNEUMA_CORE_DUMPS");
+  EXPECT_EXIT(std::_Exit(limitAfter()), ::testing::ExitedWithCode(0), "");
+  rlimit before{};
+  ::getrlimit(RLIMIT_CORE, &before);
+  if (before.rlim_max == 0) GTEST_SKIP() << "there are none here anyway";
+  const rlimit all{before.rlim_max, before.rlim_max};
+  ::setrlimit(RLIMIT_CORE, &all);
+  ::setenv("PNEUMA_CORE_DUMPS", "1", 1);
+  EXPECT_EXIT(std::_Exit(limitAfter()), ::testing::ExitedWithCode(1), "");
+  ::unsetenv("PNEUMA_CORE_DUMPS");
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include "io/detail/unzipped.h"
 #include "io/lying_zip.h"
 #include "io/temp_folder.h"
+#include "io/unfinished_files.h"
 #include "support/dicom_maker.h"
 
 namespace pneuma {
@@ -83,8 +84,10 @@ TEST(ZippedCt, LeavesNothingInTheTemporaryFolder) {
 
     struct stat status {};
 
-    ::stat(std::filesystem::directory_iterator(temporary.path())->path().c_str(), &status);
+    const auto aside = std::filesystem::directory_iterator(temporary.path())->path();
+    ::stat(aside.c_str(), &status);
     EXPECT_EQ(status.st_mode & 0777, 0700u);
+    EXPECT_TRUE(isNameAside(aside.filename().native()));  // removed even if the program ends badly
   }
   EXPECT_EQ(temporary.fileCount(), 0u);
   readCt(folder / "ct.zip");

@@ -32,6 +32,12 @@ does "slices" 0 render "$ct" --labels labels.nii.gz --slice axial -o slices.png
 does "a case" 0 run --ct "$ct" -o case -v --progress json
 does "a project" 0 run --ct "$ct" -o case.pneuma
 does "a project with its CT" 0 run --ct "$ct" -o packed.pneuma --pack-ct
+# A series that is chosen by its UID is kept by a name that does not tell it.
+uid=$("$PNEUMA" info "$ct" --phi --json | sed -n 's/.*"SeriesInstanceUID": "\([^"]*\)".*/\1/p')
+expect "the series has no UID" test -n "$uid"
+echo "{\"schema\": \"pneuma/recipe/1\", \"open\": {\"series\": \"$uid\"}, \"lungs\": {}}" >../chosen.json
+does "a series that is chosen" 0 run ../chosen.json --ct "$ct" -o chosen.pneuma
+does "its recipe" 0 export chosen.pneuma --preset recipe -o chosen
 for preset in paraview print segmentation tree recipe; do does "$preset" 0 export case.pneuma --preset "$preset" -o "$preset"; done
 does "a report" 0 report case.pneuma -o report.json
 does "figures" 0 measure tree.vtp --domain lobes --json
@@ -43,6 +49,8 @@ cd .. || exit 1
 cat >expected <<'END'
 out/case.pneuma:project.json: PLANTED
 out/case/lungs.json: PLANTED
+out/chosen.pneuma:project.json: PLANTED
+out/chosen/recipe.json: PLANTED
 out/lobes/lobes.json: PLANTED
 out/packed.pneuma:project.json: PLANTED
 out/printed.person: PLANTED

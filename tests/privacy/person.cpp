@@ -32,15 +32,16 @@ struct Planted {
 
 // What a hospital's scanner writes of a person, and of who sent, saw and scanned them.
 const std::vector<Planted> Person = {
-    {0x00080020, "DA", "19770707"},       {0x00080021, "DA", "19770707"},
-    {0x00080050, "SH", "PLANTEDACC"},     {0x00080080, "LO", "PLANTED HOSPITAL"},
-    {0x00080081, "ST", "PLANTEDPLACE"},   {0x00080090, "PN", "PLANTED^DOCTOR"},
-    {0x00081010, "SH", "PLANTEDSCANS"},   {0x00081070, "PN", "PLANTEDWORKERS"},
-    {0x00090010, "LO", "PLANTEDPRIV1"},   {0x00091001, "LO", "PLANTEDPRIV2"},
-    {0x00100010, "PN", "DOEPLANT^JANE "}, {0x00100020, "LO", "PLANTED-ID"},
-    {0x00100030, "DA", "19310213"},       {0x00101040, "LO", "PLANTED STREET"},
-    {0x00102154, "SH", "0800PLANTED77 "}, {0x00104000, "LT", "PLANTED COMMENTS"},
-    {0x00180030, "ST", "PLANTEDNOTES"},   {0x00200010, "SH", "PLANTEDS"},
+    {0x00080020, "DA", "19770707"},           {0x00080021, "DA", "19770707"},
+    {0x00080050, "SH", "PLANTEDACC"},         {0x00080080, "LO", "PLANTED HOSPITAL"},
+    {0x00080081, "ST", "PLANTEDPLACE"},       {0x00080090, "PN", "PLANTED^DOCTOR"},
+    {0x00081010, "SH", "PLANTEDSCANS"},       {0x00081070, "PN", "PLANTEDWORKERS"},
+    {0x0008103E, "LO", "LUNG^DOEPLANT 1.0 "}, {0x00090010, "LO", "PLANTEDPRIV1"},
+    {0x00091001, "LO", "PLANTEDPRIV2"},       {0x00100010, "PN", "DOEPLANT^JANE "},
+    {0x00100020, "LO", "PLANTED-ID"},         {0x00100030, "DA", "19310213"},
+    {0x00101040, "LO", "PLANTED STREET"},     {0x00102154, "SH", "0800PLANTED77 "},
+    {0x00104000, "LT", "PLANTED COMMENTS"},   {0x00180030, "ST", "PLANTEDNOTES"},
+    {0x00200010, "SH", "PLANTEDS"},
 };
 
 const std::vector<std::string> Traces = {"PLANTED",    "planted",  "DOEPLANT",  "19310213",

@@ -100,7 +100,7 @@ void Document::openSeries(const SeriesList& list, int row, bool fillGaps) {
   stopDrawing();
   touched_ = list.paths;
   CtReading reading;
-  reading.series.wanted = (*list.series)[static_cast<std::size_t>(row)].uid;
+  reading.series.wanted = seriesName((*list.series)[static_cast<std::size_t>(row)].uid);
   reading.series.listed = list.series;
   reading.corrections.fillGaps =
       fillGaps && list.rows[static_cast<std::size_t>(row)].use == SeriesRow::Use::WithGapsOnly;

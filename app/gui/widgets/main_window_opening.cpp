@@ -70,6 +70,7 @@ void MainWindow::showViews() {
   const LungModel& model = document_.model();
   const bool empty = !model.surfaces && !document_.tree() && !model.ct;
   centre_->setCurrentIndex(empty ? 0 : 1);
+  seriesPage_->clear();
 }
 
 void MainWindow::showSeries(const SeriesList& list) {

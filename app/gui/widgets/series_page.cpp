@@ -130,6 +130,8 @@ void SeriesPage::show(const SeriesList& list) {
   table_->setFocus();
 }
 
+void SeriesPage::clear() { model_.show({}); }
+
 void SeriesPage::follow() {
   const QModelIndex current = table_->currentIndex();
   if (!current.isValid()) return;

@@ -21,6 +21,9 @@ class SeriesPage : public QWidget {
 
   void show(const SeriesList& list);
 
+  /// Forgets the list, and with it what was taken out of an archive.
+  void clear();
+
   SeriesModel& model() { return model_; }
 
  signals:

@@ -1,8 +1,11 @@
 #include "io/detail/dicom_header.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <fstream>
+#include <set>
+#include <sstream>
 
 #include <vtkDICOMMetaData.h>
 #include <vtkDICOMParser.h>
@@ -204,6 +207,42 @@ void checkPixels(DicomHeader& header, const Attributes& attributes, vtkDICOMPars
   }
 }
 
+/// The words of a text, in small letters.
+std::set<std::string> wordsOf(const std::string& text) {
+  std::set<std::string> words;
+  std::string word;
+  for (const char c : text + ' ') {
+    const auto byte = static_cast<unsigned char>(c);
+    if (std::isalnum(byte) != 0 || byte >= 0x80U) {
+      word += static_cast<char>(std::tolower(byte));
+      continue;
+    }
+    words.insert(word);
+    word.clear();
+  }
+  return words;
+}
+
+/// A description without the words that name the person, or those around, which people type there.
+std::string withoutPerson(const std::string& description, const Identifiers& identifiers) {
+  constexpr std::size_t ShortestWord = 3;
+  std::set<std::string> names;
+  for (const char* keyword : {"PatientName", "PatientID", "PatientBirthDate", "AccessionNumber",
+                              "ReferringPhysicianName"}) {
+    const auto found = identifiers.find(keyword);
+    if (found != identifiers.end()) names.merge(wordsOf(found->second));
+  }
+  std::istringstream words(description);
+  std::string kept;
+  for (std::string word; words >> word;) {
+    const bool named = std::ranges::any_of(wordsOf(word), [&](const std::string& part) {
+      return part.size() >= ShortestWord && names.contains(part);
+    });
+    kept += (kept.empty() ? "" : " ") + (named ? "..." : word);
+  }
+  return kept;
+}
+
 }  // namespace
 
 bool isDicomFile(const std::filesystem::path& file) {
@@ -251,6 +290,7 @@ std::optional<DicomHeader> readDicomHeader(const std::filesystem::path& file,
     const std::string value = attributes.text(tag);
     if (!value.empty()) series.identifiers[keyword] = value;
   }
+  series.description = withoutPerson(series.description, series.identifiers);
   header.instanceUid = attributes.text(DC::SOPInstanceUID);
   header.photometric = attributes.text(DC::PhotometricInterpretation);
   header.samplesPerPixel = attributes.whole(DC::SamplesPerPixel, 1);

@@ -2,12 +2,16 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
 #include <fstream>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include "core/error.h"
 #include "io/detail/text_fields.h"
 #include "io/detail/zip_reading.h"
+#include "io/unfinished_files.h"
 
 namespace pneuma {
 namespace {
@@ -83,22 +87,29 @@ void requireHarmless(const fs::path& path, const Progress& progress) {
   }
 }
 
-/// A new folder that only this user may enter; goes away with this.
+/// A new folder that only this user may enter; goes away with this, and with the next one an hour
+/// later if this process is killed.
 class PrivateFolder {
  public:
   PrivateFolder() {
     const fs::path parent = temporaryFolder();
-    std::string name = (parent / "pneuma-XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr) {  // mode 0700
+    removeAbandoned(parent);
+    path_ = parent / nameAside(StageEnding);
+    noteUnfinished(path_);
+    if (::mkdir(path_.c_str(), 0700) != 0) {
+      forgetUnfinished(path_);
       throw OutputFailed("no folder can be made in " + quoted(parent) +
                          " to unpack into; is the disk full?");
     }
-    path_ = name;
+    lock_ = ::open(path_.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
+    if (lock_ >= 0) lockAside(lock_);
   }
 
   ~PrivateFolder() {
     std::error_code ignored;
     fs::remove_all(path_, ignored);
+    forgetUnfinished(path_);
+    if (lock_ >= 0) ::close(lock_);
   }
 
   PrivateFolder(const PrivateFolder&) = delete;
@@ -108,6 +119,7 @@ class PrivateFolder {
 
  private:
   fs::path path_;
+  int lock_ = -1;  ///< tells others that it is not abandoned
 };
 
 /// Returns the bytes written. @param room bytes that the archive may still swell by

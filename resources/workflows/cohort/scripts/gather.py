@@ -123,9 +123,14 @@ def reason(name, stage):
 
 
 def anonymous(sentence, ct):
-    """Without paths, which may tell who somebody is; the log has them."""
-    sentence = sentence.replace(ct, "the CT")
-    return re.sub(r"""(['"])/[^'"]*\1""", "a file", re.sub(r"""(['"])the CT/[^'"]*\1""", "a file of the CT", sentence))
+    """Without names of files and what else is quoted, which may tell who somebody is; the log has them."""
+
+    def hidden(quoted):
+        return quoted[0] if re.fullmatch("the CT|--[a-z-]+", quoted[0][1:-1]) else "'...'"
+
+    # From the first mark to the last: names may hold marks themselves.
+    sentence = re.sub(r"(?<!\w)'.*'(?!\w)", hidden, sentence.replace(ct, "the CT"))
+    return re.sub('".*"', hidden, sentence)
 
 
 def finished(name, ct, methods, breathing):

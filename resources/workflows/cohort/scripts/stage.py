@@ -15,18 +15,29 @@ import shutil
 import signal
 import subprocess
 import sys
+import tempfile
 import time
 
 CHECK_FAILED = 7
 
 
-def start_display():
-    """A display in memory, which this names in the environment; None if there cannot be one."""
+def give_key(file):
+    """Writes the key of a display, so that nobody else on this machine may look at it (X's form of it: for any
+    machine, with any number)."""
+    parts = (b"", b"", b"MIT-MAGIC-COOKIE-1", os.urandom(16))
+    file.write(b"\xff\xff" + b"".join(len(part).to_bytes(2, "big") + part for part in parts))
+    file.flush()
+
+
+def start_display(key):
+    """A display in memory, which this names in the environment; None if there cannot be one. `key` is an open file of
+    a name, which has to stay as long."""
     if not shutil.which("Xvfb"):
         return None
+    give_key(key)
     reads, writes = os.pipe()
     server = subprocess.Popen(
-        ["Xvfb", "-displayfd", str(writes), "-screen", "0", "1600x1200x24", "-nolisten", "tcp"],
+        ["Xvfb", "-displayfd", str(writes), "-screen", "0", "1600x1200x24", "-nolisten", "tcp", "-auth", key.name],
         pass_fds=[writes],
         stdout=subprocess.DEVNULL,
         stderr=subprocess.DEVNULL,
@@ -35,7 +46,7 @@ def start_display():
     with os.fdopen(reads) as told:
         number = told.readline().strip()  # nothing if it ends
     if number:
-        os.environ |= {"DISPLAY": f":{number}", "LIBGL_ALWAYS_SOFTWARE": "1"}
+        os.environ |= {"DISPLAY": f":{number}", "XAUTHORITY": key.name, "LIBGL_ALWAYS_SOFTWARE": "1"}
     return server
 
 
@@ -69,11 +80,12 @@ def main(arguments):
     begun = {"started": time.strftime("%Y-%m-%dT%H:%M:%S%z"), "node": platform.node()}
     keep(record, begun)
     start = time.monotonic()
-    display = start_display() if drawn else None
-    code = run(command, log, f"{to}.part" if to else "")
-    if display:
-        display.terminate()
-        display.wait()
+    with tempfile.NamedTemporaryFile(prefix="pneuma-display-") as key:
+        display = start_display(key) if drawn else None
+        code = run(command, log, f"{to}.part" if to else "")
+        if display:
+            display.terminate()
+            display.wait()
     if to and code in (0, CHECK_FAILED):
         os.replace(f"{to}.part", to)
     elif to:
