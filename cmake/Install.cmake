@@ -17,6 +17,7 @@ execute_process(COMMAND env LC_ALL=C date -u -R -d "@${PNEUMA_EPOCH}" OUTPUT_VAR
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/resources/airways" "${PROJECT_SOURCE_DIR}/resources/schemas"
         DESTINATION "${CMAKE_INSTALL_DATADIR}/pneuma")
 install(FILES LICENSE README.md CITATION.cff SECURITY.md packaging/linux/copyright DESTINATION "${CMAKE_INSTALL_DOCDIR}")
+install(DIRECTORY docs DESTINATION "${CMAKE_INSTALL_DOCDIR}")
 if(PNEUMA_BUILD_GUI)
   install(FILES packaging/linux/org.pneuma.Pneuma.desktop
           DESTINATION "${CMAKE_INSTALL_DATADIR}/applications")
