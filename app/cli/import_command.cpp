@@ -64,7 +64,8 @@ Run declareImport(CLI::App& app, CommonOptions& common) {
       ->required();
   addOutput(app, common, "FILE", "Where the CT goes: .nii.gz, .nii, .nrrd or .mha.")->required();
   app.add_option("--series", arguments->series.wanted,
-                 "The series to take: its place in the list of 'pneuma info', or its UID; else the "
+                 "The series to take: its place in the list of 'pneuma info', its UID, or its name "
+                 "in a project; else the "
                  "best.")
       ->type_name("N|UID");
   addCorrections(app, arguments->corrections);

@@ -241,7 +241,8 @@ Run declareInfo(CLI::App& app, CommonOptions& common) {
            "projects.")
       ->required();
   app.add_option("--series", wish->series.wanted,
-                 "The series of a CT to tell of: its place in the list, or its UID; else the best.")
+                 "The series of a CT to tell of: its place in the list, its UID, or its name in a "
+                 "project; else the best.")
       ->type_name("N|UID");
   app.add_option_function<std::string>(
          "--resample",

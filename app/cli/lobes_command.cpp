@@ -142,7 +142,8 @@ Run declareLobes(CLI::App& app, CommonOptions& common) {
                  "shows.")
       ->type_name("CT");
   app.add_option("--series", arguments->series.wanted,
-                 "The series of --ct to take: its place in the list of 'pneuma info', or its UID; "
+                 "The series of --ct to take: its place in the list of 'pneuma info', its UID, or "
+                 "its name in a project; "
                  "else the best.")
       ->type_name("N|UID");
   addCorrections(app, arguments->corrections);

@@ -152,7 +152,8 @@ Run declareSegment(CLI::App& app, CommonOptions& common) {
       ->type_name("FILE");
   app.add_option("--report", arguments->report, "Write the JSON report here.")->type_name("FILE");
   app.add_option("--series", arguments->series.wanted,
-                 "The series to take: its place in the list of 'pneuma info', or its UID; else the "
+                 "The series to take: its place in the list of 'pneuma info', its UID, or its name "
+                 "in a project; else the "
                  "best.")
       ->type_name("N|UID");
   addCorrections(app, arguments->corrections);

@@ -1,9 +1,10 @@
 #include "end_signals.h"
 
-#include <QSocketNotifier>
 #include <array>
 #include <csignal>
 #include <cstdlib>
+#include <system_error>
+#include <thread>
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -13,7 +14,7 @@
 namespace pneuma {
 namespace {
 
-std::array<int, 2> ends = {-1, -1};  ///< of the pipe through which a signal reaches the event loop
+std::array<int, 2> ends = {-1, -1};  ///< of the pipe through which a signal reaches a thread
 
 /// All that a handler may do.
 void pass(int number) {
@@ -21,22 +22,35 @@ void pass(int number) {
   [[maybe_unused]] const ssize_t written = ::write(ends[1], &byte, 1);
 }
 
+/// Waits for a signal, whatever the window is doing.
 void endBySignal() {
   unsigned char number = 0;
   if (::read(ends[0], &number, 1) != 1) return;
   removeUnfinished();
-  std::signal(number, SIG_DFL);
-  std::raise(number);
+  ::kill(::getpid(), number);  // whose action is the usual one again
 }
 
 }  // namespace
 
-void tidyUpAtEndSignals(QObject* owner) {
-  std::atexit([] { removeUnfinished(); });  // Qt ends so where the display goes away
-  if (::pipe2(ends.data(), O_CLOEXEC | O_NONBLOCK) != 0) return;  // then they end it as before
-  auto* notifier = new QSocketNotifier(ends[0], QSocketNotifier::Read, owner);
-  QObject::connect(notifier, &QSocketNotifier::activated, notifier, endBySignal);
-  for (const int number : {SIGTERM, SIGHUP, SIGINT}) std::signal(number, pass);
+void tidyUpAtEndSignals() {
+  std::atexit([] { removeUnfinished(); });           // Qt ends so where the display goes away
+  if (::pipe2(ends.data(), O_CLOEXEC) != 0) return;  // then they end it as before
+  try {
+    std::thread(endBySignal).detach();
+  } catch (const std::system_error&) {
+    return;
+  }
+
+  struct sigaction action {};
+
+  action.sa_handler = pass;
+  action.sa_flags = SA_RESTART | SA_RESETHAND;
+  for (const int number : {SIGTERM, SIGHUP, SIGINT}) {
+    struct sigaction before {};
+
+    ::sigaction(number, nullptr, &before);
+    if (before.sa_handler != SIG_IGN) ::sigaction(number, &action, nullptr);
+  }
 }
 
 }  // namespace pneuma

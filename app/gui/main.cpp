@@ -202,7 +202,7 @@ int main(int argc, char** argv) {
   const bool others = arguments.contains(QStringLiteral("--settings"));
   if (!arguments.contains(QStringLiteral("--play")) && !others) takeSize(chosenSize());
   const auto application = makeApplication(argc, argv);
-  tidyUpAtEndSignals(application.get());
+  tidyUpAtEndSignals();
   if (!line.parser.parse(QCoreApplication::arguments())) {
     return say(stderr, "pneuma-desktop: " + line.parser.errorText().toStdString() + "\n",
                ExitCode::Usage);

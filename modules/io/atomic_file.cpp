@@ -12,6 +12,7 @@
 
 #include "core/error.h"
 #include "core/memory_watch.h"
+#include "io/detail/file_access.h"
 #include "io/detail/hex_digits.h"
 #include "io/detail/input_file.h"
 #include "io/detail/text_fields.h"
@@ -132,6 +133,18 @@ void takeFreeName(const fs::path& from, const fs::path& target) {
 
 }  // namespace
 
+void takeAccess(int file, const struct stat& of) noexcept {
+  mode_t mode = of.st_mode & 07777U;
+
+  struct stat own {};
+
+  const bool sameGroup = ::fstat(file, &own) == 0 && own.st_gid == of.st_gid;
+  if (!sameGroup && ::fchown(file, static_cast<uid_t>(-1), of.st_gid) != 0) {
+    mode = (mode & ~070U) | ((mode & 07U) << 3U);
+  }
+  ::fchmod(file, mode);
+}
+
 fs::path endOfLinks(const fs::path& path) {
   constexpr int MostLinks = 40;  // as Linux has it
   fs::path end = path;
@@ -149,10 +162,10 @@ AtomicFile::AtomicFile(const fs::path& path, Existing existing)
   requireFreeName(target_, existing);
   removeAbandoned(folderOf(target_));
 
-  // Who may not read what is replaced may not read what is written aside for it.
+  // What replaces a file is this user's alone until it has the other's group and permissions.
   struct stat old {};
 
-  const mode_t mode = ::stat(target_.c_str(), &old) == 0 ? old.st_mode & 0666U : 0666U;
+  const mode_t mode = ::stat(target_.c_str(), &old) == 0 ? 0600U : 0666U;
   for (int attempt = 0; attempt < 16; ++attempt) {
     part_ = folderOf(target_) / nameAside(PartEnding);
     noteUnfinished(part_);
@@ -198,7 +211,7 @@ void AtomicFile::commit() {
 
   struct stat old {};
 
-  if (::stat(target_.c_str(), &old) == 0) ::fchmod(number_, old.st_mode & 07777);
+  if (::stat(target_.c_str(), &old) == 0) takeAccess(number_, old);
   if (::fsync(number_) != 0 || ::close(std::exchange(number_, -1)) != 0) {
     throwSystemError(target_, errno);
   }

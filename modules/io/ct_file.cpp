@@ -15,6 +15,8 @@
 namespace pneuma {
 namespace {
 
+constexpr std::string_view SeriesNameStart = "series-";
+
 namespace fs = std::filesystem;
 
 constexpr std::size_t Values = 65536;  // of a voxel
@@ -172,7 +174,13 @@ bool isCtPath(const fs::path& path) {
 
 std::string seriesName(const std::string& uid) {
   constexpr std::size_t Digits = 16;
-  return "series-" + sha256(uid).substr(0, Digits);
+  return std::string(SeriesNameStart) + sha256(uid).substr(0, Digits);
+}
+
+std::string keptSeries(const std::string& wanted) {
+  const bool tellsNothing =
+      wanted.empty() || parseInteger(wanted).has_value() || wanted.starts_with(SeriesNameStart);
+  return tellsNothing ? wanted : seriesName(wanted);
 }
 
 const DicomSeries& chosenSeries(const std::vector<DicomSeries>& all, const SeriesChoice& choice) {
@@ -195,7 +203,9 @@ const DicomSeries& chosenSeries(const std::vector<DicomSeries>& all, const Serie
   }
   throw InvalidOption("there is no series '" + choice.wanted + "'; " + std::to_string(all.size()) +
                       (all.size() == 1 ? " is" : " are") +
-                      " there, to be chosen by place in the list of 'pneuma info' or by UID");
+                      " there, to be chosen by place in the list of 'pneuma info', by UID, or by "
+                      "the name that a project gives "
+                      "it");
 }
 
 CtFile readCt(const fs::path& path, const CtCorrections& corrections, const Progress& progress,

@@ -48,6 +48,9 @@ bool isCtPath(const std::filesystem::path& path);
 /// its UID, which itself would lead to the person in a hospital's archive.
 std::string seriesName(const std::string& uid);
 
+/// What is kept and passed on of SeriesChoice::wanted: a UID becomes its seriesName().
+std::string keptSeries(const std::string& wanted);
+
 /// Which series of several; the best one unless said otherwise.
 struct SeriesChoice {
   std::string wanted;  ///< place in the list from 1 ("2"), UID, or seriesName(); "": the best

@@ -12,6 +12,8 @@
 
 #include "core/error.h"
 #include "core/memory_watch.h"
+#include "io/detail/file_access.h"
+#include "io/detail/input_file.h"
 #include "io/unfinished_files.h"
 
 namespace pneuma {
@@ -43,7 +45,8 @@ fs::path newStage(const fs::path& folder) {
     if (fs::create_directory(stage, error)) {
       // In a folder that is there, nobody else may enter it: files move out one by one. Else it
       // becomes the folder itself.
-      if (there) fs::permissions(stage, fs::perms::owner_all, error);
+      const auto others = fs::perms::group_all | fs::perms::others_all;
+      if (there) fs::permissions(stage, others, fs::perm_options::remove, error);
       return stage;
     }
     if (error) break;
@@ -74,7 +77,7 @@ class Moves {
     const bool was = isThere(target);
     if (was) {
       keepOld(target, from_ / OldOnes / file);
-      keepPermissions(target, from_ / file);
+      keepAccess(target, from_ / file);
     }
     done_.push_back({file, was});
     fs::rename(from_ / file, target);
@@ -120,10 +123,12 @@ class Moves {
   }
 
   /// Who may read the old one may read the new one, and nobody else.
-  static void keepPermissions(const fs::path& old, const fs::path& file) {
-    std::error_code ignored;  // a link that leads nowhere
-    const fs::file_status status = fs::status(old, ignored);
-    if (fs::is_regular_file(status)) fs::permissions(file, status.permissions(), ignored);
+  static void keepAccess(const fs::path& old, const fs::path& file) {
+    struct stat status {};
+
+    if (::stat(old.c_str(), &status) != 0 || !S_ISREG(status.st_mode)) return;
+    const Descriptor written(::open(file.c_str(), O_RDONLY | O_NOFOLLOW | O_CLOEXEC));
+    if (written.isOpen()) takeAccess(written.number(), status);
   }
 
   fs::path from_;

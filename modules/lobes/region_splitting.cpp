@@ -26,16 +26,15 @@ constexpr double NearMm = 6.0;  ///< from the fissure, where new triangles may m
 /// Splits along one fissure as it lies.
 class Splitter {
  public:
-  Splitter(const RegionComplex& complex, const HeightSurface& fissure, const SplitRegion& settings,
-           const std::string& what)
-      : base_(complex), fissure_(fissure), what_(what) {
+  Splitter(const RegionComplex& complex, const HeightSurface& fissure, const SplitRegion& settings)
+      : base_(complex), fissure_(fissure) {
     cut_.region = settings.region;
     cut_.below = settings.below;
     cut_.above = settings.above;
     cut_.capSpacingMm = settings.capSpacingMm;
   }
 
-  /// Nothing if every cut meets the region's own triangles.
+  /// Nothing if every cut meets the region's own triangles, if the fissure folds, or misses it.
   std::optional<RegionComplex> split(SplitReport& report, const Progress& progress) {
     for (std::size_t round = 0; round < Snaps.size(); ++round) {
       report.rounds = static_cast<int>(round) + 1;
@@ -45,10 +44,9 @@ class Splitter {
       const Cut cut = cutInPieces(work, report, progress);
       report.lowestMm = cut.lowestMm;
       report.highestMm = cut.highestMm;
-      if (cut.outcome == CutOutcome::Pinched || cut.outcome == CutOutcome::Folds) {
-        last_ = cut.outcome;
-        continue;
-      }
+      last_ = cut.outcome;
+      if (cut.outcome == CutOutcome::DoesNotCross) return std::nullopt;
+      if (cut.outcome != CutOutcome::Done) continue;
       const std::vector<std::uint32_t> meeting = intersecting(work, progress);
       if (meeting.empty()) {
         for (std::size_t f = cut.firstCapFacet; f < work.facets.size(); ++f) {
@@ -56,14 +54,13 @@ class Splitter {
         }
         return work;
       }
-      last_ = CutOutcome::Done;
       refine(work, cut, meeting);
     }
     return std::nullopt;
   }
 
-  /// Whether the last cut failed because the fissure does.
-  bool folds() const { return last_ == CutOutcome::Folds; }
+  /// Of the last cut.
+  CutOutcome outcome() const { return last_; }
 
  private:
   /// Cuts until nothing is left on the wrong side.
@@ -71,7 +68,6 @@ class Splitter {
     for (int join = 0;; ++join) {
       work = base_;
       Cut cut = cutRegion(work, fissure_, cut_, progress);
-      if (cut.outcome == CutOutcome::DoesNotCross) refuseMiss(cut);
       if (cut.outcome != CutOutcome::Done || join == MostJoins) return cut;
       const StrayPieces below = strayPieces(work, cut_.below, cut_.above);
       const StrayPieces above = strayPieces(work, cut_.above, cut_.below);
@@ -90,17 +86,6 @@ class Splitter {
         if (v < base_.points.size()) cut_.sideOf[v] = side;
       }
     }
-  }
-
-  [[noreturn]] void refuseMiss(const Cut& cut) const {
-    const bool touches = cut.lowestMm <= 0.0 && cut.highestMm >= 0.0;
-    throw InvalidInput(
-        "the " + what_ +
-        (touches ? " touches the lung and does not cross it"
-                 : std::string(" does not cross the lung: all of it lies between ") +
-                       lengthText(cut.lowestMm) + " and " + lengthText(cut.highestMm) +
-                       " above the fissure") +
-        "; check that its points belong to this lung and lie in the same frame (LPS, mm)");
   }
 
   static double areaOf(const RegionComplex& complex, const Facet& facet) {
@@ -174,10 +159,20 @@ class Splitter {
 
   RegionComplex base_;
   const HeightSurface& fissure_;
-  const std::string& what_;
   CutSettings cut_;
   CutOutcome last_ = CutOutcome::Done;
 };
+
+[[noreturn]] void refuseMiss(const SplitReport& report, const std::string& what) {
+  const bool touches = report.lowestMm <= 0.0 && report.highestMm >= 0.0;
+  throw InvalidInput(
+      "the " + what +
+      (touches ? " touches the lung and does not cross it"
+               : std::string(" does not cross the lung: all of it lies between ") +
+                     lengthText(report.lowestMm) + " and " + lengthText(report.highestMm) +
+                     " above the fissure") +
+      "; check that its points belong to this lung and lie in the same frame (LPS, mm)");
+}
 
 }  // namespace
 
@@ -189,15 +184,17 @@ SplitReport splitRegion(RegionComplex& complex, const HeightSurface& fissure,
     SplitReport report;
     report.movedMm = MovesMm[i];
     moved.centre = fissure.centre + MovesMm[i] * fissure.normal();
-    Splitter splitter(complex, moved, settings, what);
-    const double start = i == 0 ? 0.0 : 0.5 + 0.05 * static_cast<double>(i);
-    std::optional<RegionComplex> parts =
-        splitter.split(report, progress.part(start, i == 0 ? 0.5 : start + 0.05, ""));
+    Splitter splitter(complex, moved, settings);
+    const double start = 0.9 + 0.01 * static_cast<double>(i);
+    std::optional<RegionComplex> parts = splitter.split(
+        report, i == 0 ? progress : progress.part(start, start + 0.01, "moving a fissure aside"));
     if (parts) {
       complex = std::move(*parts);
       return report;
     }
-    if (splitter.folds()) {
+    if (i > 0) continue;
+    if (splitter.outcome() == CutOutcome::DoesNotCross) refuseMiss(report, what);
+    if (splitter.outcome() == CutOutcome::Folds) {
       throw InvalidInput("the " + what +
                          " folds over itself, seen along its best plane; take points away where "
                          "it bends back");

@@ -99,6 +99,9 @@ void addPartedLobes(Json& report, const std::vector<PartedLobe>& lobes) {
                                    {"contact_cm2", lobe.report.contactMm2 / 100.0},
                                    {"below_ml", millilitres(lobe.belowMm3)},
                                    {"above_ml", millilitres(lobe.aboveMm3)}});
+    if (lobe.report.movedMm != 0.0) {
+      report["accessory"].back()["moved_mm"] = lobe.report.movedMm;
+    }
     checks.push_back({"PARTITION-" + lobe.name,
                       std::abs((lobe.belowMm3 + lobe.aboveMm3) / lobe.lobeMm3 - 1.0),
                       MostPartitionError});

@@ -325,10 +325,13 @@ std::vector<CohortCase> casesInFolder(const CohortSource& source, Recipes& recip
   std::vector<fs::path> cts;
   std::size_t others = 0;
   std::size_t slices = 0;
+  std::size_t labels = 0;
   for (std::size_t i = 0; i < entries.size(); ++i) {
     if (isLooseSlice(entries[i])) {
       ++slices;
-    } else if (isCtPath(entries[i]) && !isLabelVolume(entries[i])) {
+    } else if (isLabelVolume(entries[i])) {
+      ++labels;
+    } else if (isCtPath(entries[i])) {
       cts.push_back(entries[i]);
     } else {
       ++others;
@@ -342,11 +345,14 @@ std::vector<CohortCase> casesInFolder(const CohortSource& source, Recipes& recip
   }
   if (cts.empty()) {
     throw InputMissing("'" + source.cases.string() +
-                       "' holds no CTs: neither folders of DICOM slices nor volume files");
+                       "' holds no CTs: neither folders of DICOM slices nor volume files" +
+                       (labels > 0 ? " of more than 8 bits" : ""));
   }
-  if (others + slices > 0) {
-    notes.push_back(std::to_string(others + slices) + " of " + std::to_string(entries.size()) +
-                    " entries of the folder hold no CT and were passed over");
+  if (const std::size_t passed = others + slices + labels; passed > 0) {
+    notes.push_back(std::to_string(passed) + " of " + std::to_string(entries.size()) +
+                    " entries of the folder hold no CT" +
+                    (labels > 0 ? ", volumes of 8 bits (labels) among them," : "") +
+                    " and were passed over");
   }
   std::vector<CohortCase> cases;
   for (std::size_t i = 0; i < cts.size(); ++i) {

@@ -27,8 +27,7 @@ InputFile ctInput(const std::filesystem::path& path, const CtFile& file, const P
 }
 
 LungModel modelOf(CtFile file, CtSource source) {
-  // It is kept and passed on; a UID would lead to the person in a hospital's archive.
-  if (file.series && source.series == file.series->uid) source.series = seriesName(source.series);
+  source.series = keptSeries(source.series);
   LungModel model;
   model.inputs.push_back({source.path.string(), ""});
   model.ctSource = std::make_shared<const CtSource>(std::move(source));

@@ -290,6 +290,7 @@ Project projectOf(std::vector<ArchiveMember> members, const fs::path& folder,
   std::shared_ptr<const CtSource> source;
   if (stored) {
     CtSource from = stored->source;
+    from.series = keptSeries(from.series);  // projects of before hold the UID
     if (!stored->path.empty()) from.path = placeOf(*stored, folder);
     if (stored->packed) {
       ct = std::make_shared<const CtImage>(

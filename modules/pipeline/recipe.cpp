@@ -202,7 +202,7 @@ Recipe readRecipe(const std::filesystem::path& path) { return RecipeReader(path)
 Json toJson(const Recipe& recipe) {
   Json json = {{"schema", Schema}};
   json["open"] = {{"ct", recipe.ct.string()}};
-  if (!recipe.series.wanted.empty()) json["open"]["series"] = recipe.series.wanted;
+  if (!recipe.series.wanted.empty()) json["open"]["series"] = keptSeries(recipe.series.wanted);
   json["open"].update(toJson(recipe.corrections));
   json["lungs"] = toJson(recipe.lungs);
   json["lungs"].update(toJson(recipe.surfaces));

@@ -28,7 +28,8 @@ std::string pathOption(const std::string& name, const std::filesystem::path& pat
 }
 
 void addSeries(Arguments& arguments, const Recipe& recipe) {
-  if (!recipe.series.wanted.empty()) arguments.push_back("--series=" + recipe.series.wanted);
+  const std::string series = keptSeries(recipe.series.wanted);
+  if (!series.empty()) arguments.push_back("--series=" + series);
 }
 
 }  // namespace

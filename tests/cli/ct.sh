@@ -51,6 +51,9 @@ succeeds "import of the second series" import two -o second.nrrd --series 2
 prints '12 x 10 x 5 voxels'
 succeeds "import of a series by UID" import two -o uid.nrrd --series 1.2.826.0.1.3680043.9.2
 expect "another series came by UID" cmp second.nrrd uid.nrrd
+kept=series-$(printf 1.2.826.0.1.3680043.9.2 | sha256sum | cut -c 1-16) # as projects and recipes name it
+succeeds "import of a series by the name that is kept" import two -o kept.nrrd --series "$kept"
+expect "another series came by its name" cmp second.nrrd kept.nrrd
 succeeds "import of another part of the body when asked" import head -o head.nrrd --series 1
 succeeds "import of a volume" import ct.nrrd -o again.nrrd
 expect "a volume changed on its way" cmp ct.nrrd again.nrrd

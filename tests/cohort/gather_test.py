@@ -105,13 +105,14 @@ class Outcome(unittest.TestCase):
 
 class Anonymous(unittest.TestCase):
     def test_no_quoted_name_is_left(self):
-        for quoted in ("'DOE_JANE_0042.dcm'", '"DOE_JANE_0042.dcm"', "'O'Doe's CT.dcm'", "'/data/doe/a b' and 'x/DOE'"):
+        for quoted in ("'DOE_JANE_0042.dcm'", '"DOE_JANE_0042.dcm"', "'O'Doe's CT.dcm'", "'/data/doe/a b' and 'x/DOE'", "\"DOE 'prone.dcm\" in 'x'"):
             sentence = gather.anonymous(f"the lung's slice {quoted} is damaged; get it anew", CT)
             self.assertEqual(sentence, "the lung's slice '...' is damaged; get it anew")
         self.assertNotIn("DOE", gather.anonymous(f"'{CT}/DOE.dcm' ends early", CT))
 
     def test_the_ct_and_options_stay(self):
         self.assertEqual(gather.anonymous(f"there is no file '{CT}'", CT), "there is no file 'the CT'")
+        self.assertEqual(gather.anonymous(f'there is no file "{CT}"', CT), "there is no file 'the CT'")
         self.assertEqual(gather.anonymous("try '--repair'", CT), "try '--repair'")
 
 

@@ -45,7 +45,9 @@ for _ in $(seq 3000); do
   kill -0 $window 2>/dev/null || fail "the window ended on its own"
   sleep 0.1
 done
+[ -s "$OUT/02_opened.png" ] || fail "no series was opened"
 unpacked && fail "what was unpacked is kept after a series was opened: $(ls -A "$TMPDIR")"
-kill -TERM $window
+kill -HUP $window
 wait $window 2>/dev/null
-exit 0
+code=$?
+[ $code -eq 129 ] || fail "it ends with $code, not by the signal"

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "document/document.h"
+#include "io/ct_file.h"
 #include "io/volume_file.h"
 #include "pipeline/lobes_model.h"
 #include "render/generated_chest.h"
@@ -145,7 +146,7 @@ TEST_F(LocatedCtTest, ASeriesIsFoundAmongOthersByOneOfItsFiles) {
   EXPECT_TRUE(missed.isEmpty()) << missed.join(' ').toStdString();
   ASSERT_NE(document.model().ct, nullptr);
   EXPECT_EQ(document.model().ct->geometry.size[2], 48);
-  EXPECT_EQ(document.model().ctSource->series, uid);
+  EXPECT_EQ(document.model().ctSource->series, seriesName(uid));
 }
 
 }  // namespace

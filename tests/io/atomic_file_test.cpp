@@ -47,15 +47,31 @@ TEST(WriteFile, KeepsThePermissionsOfTheFileItReplaces) {
   EXPECT_EQ(static_cast<int>(fs::status(path).permissions()), 0640);
 }
 
-TEST(WriteFile, HidesWhatItWritesAsideAsTheFileItReplaces) {
+TEST(WriteFile, HidesWhatItWritesAside) {
   const TempFolder folder;
   const fs::path path = folder.put("secret", "old");
-  ASSERT_EQ(::chmod(path.c_str(), 0600), 0);
+  ASSERT_EQ(::chmod(path.c_str(), 0644), 0);
   const AtomicFile file(path);
   for (const fs::directory_entry& entry : fs::directory_iterator(folder.path())) {
-    EXPECT_EQ(static_cast<int>(fs::status(entry).permissions()), 0600) << entry.path();
+    const int mode = static_cast<int>(fs::status(entry).permissions());
+    EXPECT_EQ(mode, entry.path() == path ? 0644 : 0600) << entry.path();
   }
   EXPECT_EQ(folder.fileCount(), 2U);
+}
+
+TEST(WriteFile, KeepsTheGroupOfTheFileItReplaces) {
+  if (::geteuid() != 0) GTEST_SKIP() << "only root may give a file any group";
+  const TempFolder folder;
+  const fs::path path = folder.put("shared", "old");
+  ASSERT_EQ(::chown(path.c_str(), static_cast<uid_t>(-1), 12345), 0);
+  ASSERT_EQ(::chmod(path.c_str(), 0640), 0);
+  writeFile(path, "new");
+
+  struct stat status {};
+
+  ASSERT_EQ(::stat(path.c_str(), &status), 0);
+  EXPECT_EQ(status.st_gid, 12345U);
+  EXPECT_EQ(status.st_mode & 07777U, 0640U);
 }
 
 TEST(WriteFile, WritesThroughASymbolicLink) {

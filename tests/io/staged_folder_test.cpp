@@ -60,8 +60,9 @@ TEST(StagedFolder, KeepsWhoMayReadWhatItReplaces) {
   const TempFolder folder;
   fs::create_directory(folder / "old");
   fs::permissions(folder.put("old/secret", "old"), fs::perms::owner_read | fs::perms::owner_write);
+  ASSERT_EQ(::chmod((folder / "old").c_str(), 02775), 0);  // what is made in it has its group
   StagedFolder staged(folder / "old");
-  EXPECT_EQ(fs::status(staged.path()).permissions(), fs::perms::owner_all);
+  EXPECT_EQ(static_cast<int>(fs::status(staged.path()).permissions()), 02700);
   writeFile(staged.path() / "secret", "new");
   staged.keep(Existing::Replace);
   EXPECT_EQ(readFile(folder / "old/secret"), "new");

@@ -179,13 +179,13 @@ int limitAfter() {
 }
 
 TEST(CoreDumps, AreNotLeftUnlessAskedFor) {
-  ::unsetenv("PNEUMA_CORE_DUMPS");
-  EXPECT_EXIT(std::_Exit(limitAfter()), ::testing::ExitedWithCode(0), "");
   rlimit before{};
   ::getrlimit(RLIMIT_CORE, &before);
   if (before.rlim_max == 0) GTEST_SKIP() << "there are none here anyway";
   const rlimit all{before.rlim_max, before.rlim_max};
   ::setrlimit(RLIMIT_CORE, &all);
+  ::unsetenv("PNEUMA_CORE_DUMPS");
+  EXPECT_EXIT(std::_Exit(limitAfter()), ::testing::ExitedWithCode(0), "");
   ::setenv("PNEUMA_CORE_DUMPS", "1", 1);
   EXPECT_EXIT(std::_Exit(limitAfter()), ::testing::ExitedWithCode(1), "");
   ::unsetenv("PNEUMA_CORE_DUMPS");

@@ -37,6 +37,9 @@ uid=$("$PNEUMA" info "$ct" --phi --json | sed -n 's/.*"SeriesInstanceUID": "\([^
 expect "the series has no UID" test -n "$uid"
 echo "{\"schema\": \"pneuma/recipe/1\", \"open\": {\"series\": \"$uid\"}, \"lungs\": {}}" >../chosen.json
 does "a series that is chosen" 0 run ../chosen.json --ct "$ct" -o chosen.pneuma
+printed=person
+does "the same, told" 0 run ../chosen.json --ct "$ct" -o chosen.told --json
+printed=not
 does "its recipe" 0 export chosen.pneuma --preset recipe -o chosen
 for preset in paraview print segmentation tree recipe; do does "$preset" 0 export case.pneuma --preset "$preset" -o "$preset"; done
 does "a report" 0 report case.pneuma -o report.json
@@ -50,6 +53,7 @@ cat >expected <<'END'
 out/case.pneuma:project.json: PLANTED
 out/case/lungs.json: PLANTED
 out/chosen.pneuma:project.json: PLANTED
+out/chosen.told/lungs.json: PLANTED
 out/chosen/recipe.json: PLANTED
 out/lobes/lobes.json: PLANTED
 out/packed.pneuma:project.json: PLANTED
@@ -68,5 +72,8 @@ sed -i 's/PLANTED folder//g' all/out/printed.person all/out/*.json all/out/*/*.j
 grep -v '\.pneuma:' found >"$logs/out"
 cases=$((cases + 1))
 [ ! -s "$logs/out" ] || fail "more than the folder is found"
+mkdir project && (cd project && cmake -E tar xf ../all/out/chosen.pneuma)
+expect "the project was not opened" test -s project/project.json
+expect "the project holds a UID" eval '! grep -rq "2\.25\.77777" project'
 expect "the look does not see what is there" test "$("$PERSON" find "PLANTED folder" | wc -l)" -gt 100
 finish

@@ -124,13 +124,9 @@ def reason(name, stage):
 
 def anonymous(sentence, ct):
     """Without names of files and what else is quoted, which may tell who somebody is; the log has them."""
-
-    def hidden(quoted):
-        return quoted[0] if re.fullmatch("the CT|--[a-z-]+", quoted[0][1:-1]) else "'...'"
-
+    harmless = re.sub(r"""(['"])(the CT|--[a-z-]+)\1""", "\0\\2\0", sentence.replace(ct, "the CT"))
     # From the first mark to the last: names may hold marks themselves.
-    sentence = re.sub(r"(?<!\w)'.*'(?!\w)", hidden, sentence.replace(ct, "the CT"))
-    return re.sub('".*"', hidden, sentence)
+    return re.sub(r"""(?<!\w)['"].*['"](?!\w)""", "'...'", harmless).replace("\0", "'")
 
 
 def finished(name, ct, methods, breathing):

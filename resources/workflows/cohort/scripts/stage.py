@@ -7,6 +7,7 @@ tells that it was started, and stays like this if it is killed together with its
 of another machine. --to FILE: what it prints becomes FILE, once it has ended well. A check that does not hold (exit
 code 7) leaves its results and is no failure here; the page tells it."""
 
+import contextlib
 import json
 import os
 import platform
@@ -80,7 +81,8 @@ def main(arguments):
     begun = {"started": time.strftime("%Y-%m-%dT%H:%M:%S%z"), "node": platform.node()}
     keep(record, begun)
     start = time.monotonic()
-    with tempfile.NamedTemporaryFile(prefix="pneuma-display-") as key:
+    # Beside X's own socket: where a job sees the one, it sees the other.
+    with tempfile.NamedTemporaryFile(prefix="pneuma-display-", dir="/tmp") if drawn else contextlib.nullcontext() as key:
         display = start_display(key) if drawn else None
         code = run(command, log, f"{to}.part" if to else "")
         if display:
