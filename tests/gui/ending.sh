@@ -11,24 +11,35 @@ export TMPDIR=$FOLDER/tmp XDG_STATE_HOME=$FOLDER/state
 rm -f "$OUT"/*.png # of a run before
 unpacked() { find "$TMPDIR" -mindepth 1 -name '.pneuma-*' | grep -q .; }
 
+# play SCRIPT PICTURE: starts the window, $window, and waits until the script has taken that picture.
+play() {
+  "$DESKTOP" --play "$FOLDER/$1.json" --screenshots "$OUT" &
+  window=$!
+  for _ in $(seq 3000); do
+    [ -s "$OUT/$2.png" ] && return
+    kill -0 $window 2>/dev/null || fail "the window ended on its own"
+    sleep 0.1
+  done
+  fail "$2 was not reached"
+}
+
+# end SIGNAL CODE: the window ends by it.
+end() {
+  kill "-$1" $window
+  wait $window 2>/dev/null
+  local code=$?
+  [ $code -eq "$2" ] || fail "it ends with $code, not by the signal"
+}
+
 cat >"$FOLDER/list.json" <<'END'
 [{"do": "scenario", "name": "the series of an archive are shown, and the session ends"},
  {"do": "open", "paths": ["${FOLDER}/series.zip"]}, {"do": "wait", "seconds": 120},
  {"do": "expect", "name": "seriesPage", "property": "visible", "equals": true},
  {"do": "screenshot", "file": "01_series"}, {"do": "pause", "seconds": 300}]
 END
-"$DESKTOP" --play "$FOLDER/list.json" --screenshots "$OUT" &
-window=$!
-for _ in $(seq 1200); do
-  [ -s "$OUT/01_series.png" ] && break
-  kill -0 $window 2>/dev/null || fail "the window ended on its own"
-  sleep 0.1
-done
+play list 01_series
 unpacked || fail "nothing is unpacked while series are shown; this test sees nothing"
-kill -TERM $window
-wait $window 2>/dev/null
-code=$?
-[ $code -eq 143 ] || fail "it ends with $code, not by the signal"
+end TERM 143
 unpacked && fail "what was unpacked is left: $(ls -A "$TMPDIR")"
 
 cat >"$FOLDER/open.json" <<'END'
@@ -38,16 +49,6 @@ cat >"$FOLDER/open.json" <<'END'
  {"do": "expect", "state": "lungs", "above": 1000},
  {"do": "screenshot", "file": "02_opened"}, {"do": "pause", "seconds": 300}]
 END
-"$DESKTOP" --play "$FOLDER/open.json" --screenshots "$OUT" &
-window=$!
-for _ in $(seq 3000); do
-  [ -s "$OUT/02_opened.png" ] && break
-  kill -0 $window 2>/dev/null || fail "the window ended on its own"
-  sleep 0.1
-done
-[ -s "$OUT/02_opened.png" ] || fail "no series was opened"
+play open 02_opened
 unpacked && fail "what was unpacked is kept after a series was opened: $(ls -A "$TMPDIR")"
-kill -HUP $window
-wait $window 2>/dev/null
-code=$?
-[ $code -eq 129 ] || fail "it ends with $code, not by the signal"
+end HUP 129

@@ -122,19 +122,29 @@ TEST(RegionSplitting, SharesTrianglesAtTheTripleLine) {
   EXPECT_GT((contacts[{Middle, Upper}]), 100);
 }
 
-TEST(RegionSplitting, JoinsPiecesOnTheWrongSide) {
-  std::size_t joined = 0;
-  for (std::uint64_t seed = 0; seed < 12; ++seed) {
+/// A lung, split along a rough fissure into two sound parts.
+struct RoughSplit {
+  RoughSplit(std::uint64_t seed, double roughMm) {
     Random random(seed);
-    RegionComplex complex = complexOf(lung(5, random), 1);
+    complex = complexOf(lung(5, random), 1);
     const double whole = volumeMm3(complex, 1);
-    const HeightSurface rough =
-        roughFissure(plane({0.0, 60.0, 0.0}, {0.0, -1.0, 0.3}), 25.0, 25, 1e-3, random);
-    const SplitReport report =
-        splitRegion(complex, rough, {.region = 1, .below = Lower, .above = Upper}, "fissure");
+    fissure = roughFissure(plane({0.0, 60.0, 0.0}, {0.0, -1.0, 0.3}), roughMm, 25, 1e-3, random);
+    report =
+        splitRegion(complex, fissure, {.region = 1, .below = Lower, .above = Upper}, "fissure");
     expectSound(complex, Lower);
     expectSound(complex, Upper);
     EXPECT_NEAR((volumeMm3(complex, Upper) + volumeMm3(complex, Lower)) / whole, 1.0, 1e-13);
+  }
+
+  RegionComplex complex;
+  HeightSurface fissure;
+  SplitReport report;
+};
+
+TEST(RegionSplitting, JoinsPiecesOnTheWrongSide) {
+  std::size_t joined = 0;
+  for (std::uint64_t seed = 0; seed < 12; ++seed) {
+    const SplitReport report = RoughSplit(seed, 25.0).report;
     EXPECT_EQ(report.piecesJoined > 0, report.joinedMm3 > 0.0);
     joined += report.piecesJoined;
   }
@@ -144,20 +154,14 @@ TEST(RegionSplitting, JoinsPiecesOnTheWrongSide) {
 TEST(RegionSplitting, MovesAFissureThatOnlyTouchesTheLung) {
   int moved = 0;
   for (const std::uint64_t seed : {21, 92, 269}) {
-    Random random(seed);
-    RegionComplex complex = complexOf(lung(5, random), 1);
-    const HeightSurface rough =
-        roughFissure(plane({0.0, 60.0, 0.0}, {0.0, -1.0, 0.3}), 10.0, 25, 1e-3, random);
-    const SplitReport report =
-        splitRegion(complex, rough, {.region = 1, .below = Lower, .above = Upper}, "fissure");
-    expectSound(complex, Lower);
-    expectSound(complex, Upper);
-    EXPECT_LE(std::abs(report.movedMm), 0.2);
-    if (report.movedMm != 0.0) ++moved;
-    for (const Facet& facet : complex.facets) {
+    const RoughSplit split(seed, 10.0);
+    EXPECT_LE(std::abs(split.report.movedMm), 0.2);
+    if (split.report.movedMm != 0.0) ++moved;
+    for (const Facet& facet : split.complex.facets) {
       if (!facet.borders(Lower) || !facet.borders(Upper)) continue;
       for (const std::uint32_t v : facet.corners) {
-        EXPECT_LE(std::abs(rough.height(complex.points[v])), 0.2 + 0.5);  // a tenth of an edge
+        EXPECT_LE(std::abs(split.fissure.height(split.complex.points[v])),
+                  0.2 + 0.5);  // a tenth of an edge
       }
     }
   }
