@@ -16,7 +16,7 @@ play() {
   "$DESKTOP" --play "$FOLDER/$1.json" --screenshots "$OUT" &
   window=$!
   for _ in $(seq 3000); do
-    [ -s "$OUT/$2.png" ] && return
+    tail -c 12 "$OUT/$2.png" 2>/dev/null | grep -aq IEND && return # all of it is written
     kill -0 $window 2>/dev/null || fail "the window ended on its own"
     sleep 0.1
   done
