@@ -118,13 +118,14 @@ function(pneuma_add_module name)
   endif()
 endfunction()
 
-# pneuma_add_test(<name> SOURCES ... LINK ... [LABELS ...] [RENDER] [UNITE] [QUICK])
+# pneuma_add_test(<name> SOURCES ... LINK ... [LABELS ...] [TOGETHER ...] [RENDER] [UNITE] [QUICK])
 # One GoogleTest executable; its cases become CTest tests "<name>/Suite.Case".
+# TOGETHER: suites whose cases share what takes long to make: each is one test "<name>/Suite", one process.
 # UNITE: see pneuma_unite; no two sources may call different helpers by one name.
 # QUICK: see pneuma_compile_quickly.
 # RENDER: runs under Xvfb, and is registered only where xvfb-run exists.
 function(pneuma_add_test name)
-  cmake_parse_arguments(arg "RENDER;UNITE;QUICK" "" "SOURCES;LINK;LABELS" ${ARGN})
+  cmake_parse_arguments(arg "RENDER;UNITE;QUICK" "" "SOURCES;LINK;LABELS;TOGETHER" ${ARGN})
   if(arg_RENDER AND NOT PNEUMA_XVFB_RUN)
     message(STATUS "tests ${name}: not registered, xvfb-run is missing")
     return()
@@ -154,10 +155,18 @@ function(pneuma_add_test name)
     set_tests_properties(${name} PROPERTIES LABELS "${name};render;${arg_LABELS}" TIMEOUT ${most}
                          ENVIRONMENT "${PNEUMA_TEST_ENVIRONMENT}")
   else()
+    set(alone "*-")
+    foreach(suite IN LISTS arg_TOGETHER)
+      string(APPEND alone ":${suite}.*:*/${suite}.*")
+      add_test(NAME ${name}/${suite} COMMAND ${target} "--gtest_filter=${suite}.*:*/${suite}.*")
+      set_tests_properties(${name}/${suite} PROPERTIES TIMEOUT 600 LABELS "${name};${arg_LABELS}"
+                                                       ENVIRONMENT "${PNEUMA_TEST_ENVIRONMENT}")
+    endforeach()
     include(GoogleTest)
     gtest_discover_tests(
       ${target}
       TEST_PREFIX ${name}/
+      TEST_FILTER "${alone}"
       DISCOVERY_TIMEOUT 60
       PROPERTIES TIMEOUT 600)
     # Lists do not survive the discovery as one value, so they are set after it.

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Every command of the program, and of Snakemake, that README and the pages of docs/ show, run as it stands there, page
-# by page, in the order of the page; but with a tenth of the terminals and a fifth of the seeds, unless FULL is set.
+# by page, in the order of the page; but with a tenth of the terminals, a fifth of the seeds, small films and four
+# pictures of a breath, unless FULL is set.
 # Needs ROOT (the project), a display. PNEUMA_TEST_DATA: for the one command that asks for real data.
 . "$(dirname "$0")/../cli/lib.sh"
 : "${ROOT:?}"
@@ -13,7 +14,7 @@ blocks() { awk '/^```/ { inside = $0 == "```sh"; next } inside' "$1"; }
 
 # What a page takes for granted lies there before its commands are run.
 prepared_README() {
-  pneuma sample made --ct --spacing 2 -q && mv made/dicom dicom-folder && rm -r made && inspired && prepared_pictures &&
+  pneuma sample made --ct --spacing 3 -q && mv made/dicom dicom-folder && rm -r made && inspired && prepared_pictures &&
     pneuma grow --organ thorax --terminals 500 -o other.vtp -q && marks && poses &&
     if [ -n "${PNEUMA_TEST_DATA:-}" ]; then ln -s "$PNEUMA_TEST_DATA" real-data; fi
 }
@@ -23,7 +24,7 @@ prepared_head-poses() {
     pneuma breathe lobes tree.vtp -o breath.pvd --frames 3 -q && poses
 }
 prepared_slices() {
-  pneuma sample made --ct --spacing 2 -q && mv made/ct.nii.gz made/labels.nii.gz . && mkdir lungs && mv made/*.stl lungs/ &&
+  pneuma sample made --ct --spacing 3 -q && mv made/ct.nii.gz made/labels.nii.gz . && mkdir lungs && mv made/*.stl lungs/ &&
     pneuma grow lungs --terminals 300 -o tree.vtp -q
 }
 prepared_pictures() {
@@ -68,6 +69,8 @@ poses() {
   }' >poses.csv
 }
 
+smaller='s/--terminals 30000/--terminals 3000/; s/--seeds 20/--seeds 4/; s/--pictures/& --frames 4/
+         s/^pneuma render .*[.]ogv/& --size 480x360/'
 pages=0
 shown=0
 for page in "$ROOT"/README.md "$ROOT"/docs/*.md "$ROOT"/docs/guide/*.md "$ROOT"/docs/algorithms/*.md; do
@@ -94,7 +97,7 @@ for page in "$ROOT"/README.md "$ROOT"/docs/*.md "$ROOT"/docs/guide/*.md "$ROOT"/
     caseName="${page#"$ROOT"/}: $line"
     cases=$((cases + 1))
     SECONDS=0
-    [ -n "${FULL:-}" ] || line=$(sed 's/--terminals 30000/--terminals 3000/; s/--seeds 20/--seeds 4/' <<<"$line")
+    [ -n "${FULL:-}" ] || line=$(sed -E "$smaller" <<<"$line")
     bash -c "$line" >"$logs/out" 2>"$logs/err" </dev/null
     code=$?
     [ "$code" -eq 0 ] || fail "exit code $code"

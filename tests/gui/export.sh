@@ -49,7 +49,7 @@ done
 copied share
 cmp "$FOLDER/window/share/breath.glb" share/breath.glb || fail "the copied command moves otherwise"
 [ "$(head -c 4 share/breath.glb)" = glTF ] || fail "the animation is no glTF"
-"$PNEUMA" breathe "$FOLDER/case.pneuma" --frames 3 --period 2 --gltf same.glb -o same.pvd -q
+"$PNEUMA" breathe "$FOLDER/case.pneuma" --frames 3 --period 1 --gltf same.glb -o same.pvd -q
 cmp same.glb share/breath.glb || fail "pneuma breathe writes another animation"
 copied film
 cmp "$FOLDER/window/film/breath.ogv" film/breath.ogv || fail "the copied command makes another film"
