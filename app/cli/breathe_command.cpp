@@ -9,6 +9,7 @@
 #include "cli/breath_picture.h"
 #include "cli/command.h"
 #include "cli/files.h"
+#include "cli/limits.h"
 #include "cli/picture_arguments.h"
 #include "cli/text.h"
 #include "pipeline/breath_curve.h"
@@ -30,6 +31,7 @@ struct BreatheArguments {
   std::filesystem::path gltf;
   std::vector<std::string> stiffness;
   std::vector<std::string> emphysema;
+  std::string largestFile;  ///< as given
   bool pictures = false;
   PictureArguments look;
   bool onionSkin = false;
@@ -92,6 +94,7 @@ ExitCode runBreathe(BreatheArguments arguments, const CommonOptions& common,
                       "' should end in .pvd");
   }
   requireOutput(common.output, common.existing());
+  const std::uint64_t largestBytes = largestFileBytes(arguments.largestFile);
   for (const std::string& region : arguments.stiffness) {
     arguments.options.regions.push_back(stiffnessRegion(region));
   }
@@ -121,8 +124,7 @@ ExitCode runBreathe(BreatheArguments arguments, const CommonOptions& common,
   }
   const std::filesystem::path folder = common.output.parent_path();
   std::vector<std::filesystem::path> paths;
-  for (const auto& file :
-       breathOutputs(common.output, arguments.options, treeOf(model) != nullptr)) {
+  for (const auto& file : breathOutputs(common.output, model, arguments.options, largestBytes)) {
     paths.push_back(folder / file);
   }
   if (!arguments.curve.empty()) {
@@ -151,6 +153,7 @@ ExitCode runBreathe(BreatheArguments arguments, const CommonOptions& common,
     }
   }
   for (const auto& path : paths) {
+    if (isPiece(path) && !exists(path.parent_path())) continue;  // its folder will be made
     requireOutput(path, common.existing());
     requireOtherThanInputs(path, arguments.inputs);
   }
@@ -158,8 +161,11 @@ ExitCode runBreathe(BreatheArguments arguments, const CommonOptions& common,
       breathe(model, arguments.options, progress.part(0.2, 0.7, "breathing"));
   const Json report = breatheReport(model, lungs, arguments.options);
   OutputSet outputs;
-  for (const auto& path : paths) outputs.add(path);
-  writeBreath(common.output, lungs, report, progress.part(0.7, 0.85, "writing"));
+  for (const auto& path : paths) {
+    if (isPiece(path)) outputs.addFolder(path.parent_path());
+    outputs.add(path);
+  }
+  writeBreath(common.output, lungs, report, progress.part(0.7, 0.85, "writing"), largestBytes);
   if (arguments.pictures) {
     const auto write = [&](int frame, const Picture& picture) {
       writeFile(framePicture(common.output, frame), pngText(picture), common.existing());
@@ -206,6 +212,10 @@ Run declareBreathe(CLI::App& app, CommonOptions& common) {
   app.add_option("--gltf", arguments->gltf,
                  "Write the lungs, moving, for web pages, Blender and slides too (.glb).")
       ->type_name("FILE");
+  app.add_option("--largest-file", arguments->largestFile,
+                 "Surfaces or airways whose file of a frame would be larger are written in pieces, "
+                 "which the .pvd names; bytes, or as 500M (default 2G).")
+      ->type_name("SIZE");
   addRepeatable(app, "--stiffness", arguments->stiffness, "REGION=FACTOR",
                 "A lobe, or a ball X,Y,Z,RADIUS (mm, LPS), and how many times as stiff as healthy "
                 "lung it is: LLL=0.5, 60,-20,-150,15=5. May be repeated.");

@@ -263,13 +263,7 @@ ExitCode runPreset(const ExportArguments& arguments, const CommonOptions& common
   }
   if (!arguments.view.empty()) (void)viewDirection(arguments.view);
   ExportFormat format = arguments.as;
-  if (!arguments.largestFile.empty()) {
-    format.largestFileBytes = parseBytes("--largest-file", arguments.largestFile);
-    if (format.largestFileBytes < LeastFileBytes) {
-      throw InvalidOption("--largest-file is 64K or more, but '" + arguments.largestFile +
-                          "' was given");
-    }
-  }
+  format.largestFileBytes = largestFileBytes(arguments.largestFile);
   if (film) requireDisplay();
   requireFolderOutput(common.output);
   const Project project = openCase(arguments.inputs, progress.part(0.0, 0.5, "reading"));
@@ -352,8 +346,8 @@ Run declareExport(CLI::App& app, CommonOptions& common) {
       ->type_name("FORMAT");
   app.add_option("--largest-file", arguments->largestFile,
                  "Of --preset paraview: a surface or a tree that would make a larger file is "
-                 "written in pieces, which the .vtm names; bytes, or as 500M (default 2G). "
-                 "Fissures and frames of a breath stay whole.")
+                 "written in pieces, which the .vtm or the .pvd names; bytes, or as 500M "
+                 "(default 2G).")
       ->type_name("SIZE");
   app.add_option("--view", arguments->view,
                  "From where --preset film looks: anterior, posterior, left, right, superior, "

@@ -9,6 +9,7 @@
 #include "cli/interrupt.h"
 #include "core/memory.h"
 #include "core/options.h"
+#include "io/piece_files.h"
 
 namespace pneuma::cli {
 namespace {
@@ -55,6 +56,13 @@ std::uint64_t parseBytes(std::string_view option, std::string_view text) {
                         "' was given; write it as 500M or 8G");
   }
   return static_cast<std::uint64_t>(bytes);
+}
+
+std::uint64_t largestFileBytes(const std::string& text) {
+  if (text.empty()) return LargestFileBytes;
+  const std::uint64_t bytes = parseBytes("--largest-file", text);
+  if (bytes >= LeastFileBytes) return bytes;
+  throw InvalidOption("--largest-file is 64K or more, but '" + text + "' was given");
 }
 
 std::uint64_t parseMemorySize(std::string_view text) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <string_view>
 
 namespace pneuma::cli {
@@ -9,6 +10,10 @@ namespace pneuma::cli {
 /// @param option for messages
 /// @throws InvalidOption for anything else
 std::uint64_t parseBytes(std::string_view option, std::string_view text);
+
+/// The bytes of `--largest-file` (io/piece_files.h); what is usual if there is no text.
+/// @throws InvalidOption if that is no size, or too small a one
+std::uint64_t largestFileBytes(const std::string& text);
 
 /// Likewise of --max-memory; 0: no limit.
 /// @throws InvalidOption as well for less than 64M, in which nothing runs

@@ -7,7 +7,9 @@
 #include <string>
 #include <utility>
 
+#include "core/error.h"
 #include "io/multiblock_file.h"
+#include "io/piece_files.h"
 #include "io/surface_file.h"
 #include "io/tree_file.h"
 #include "pipeline/breathe_files.h"
@@ -58,8 +60,16 @@ Series readSeries(const std::filesystem::path& pvd) {
       series.moments.push_back({file.seconds, {}, {}});
     }
     SeriesMoment& moment = series.moments.back();
-    (file.part == ChestWallPart ? moment.chestWalls : moment.files)
-        .push_back(pvd.parent_path() / file.file);
+    auto& files = file.part == ChestWallPart ? moment.chestWalls : moment.files;
+    const std::filesystem::path path = pvd.parent_path() / file.file;
+    // ParaView names moments as pieces are named, but has one of them at a time.
+    if (isPiece(path) && !files.empty() && files.back().parent_path() == path.parent_path() &&
+        isPiece(files.back())) {
+      throw Unsupported("'" + pvd.string() + "' names pieces for ParaView, as '" +
+                        file.file.string() +
+                        "'; to draw it here, breathe again with a larger --largest-file");
+    }
+    files.push_back(path);
   }
   const SeriesMoment& first = series.moments.front();
   const SeriesMoment& last = series.moments.back();

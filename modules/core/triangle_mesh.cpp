@@ -30,7 +30,8 @@ double signedVolumeMm3(const TriangleMesh& mesh) {
 }
 
 TriangleMesh partOf(const TriangleMesh& mesh,
-                    std::span<const std::array<std::uint32_t, 3>> triangles) {
+                    std::span<const std::array<std::uint32_t, 3>> triangles,
+                    std::vector<std::uint32_t>* taken) {
   constexpr std::uint32_t None = std::numeric_limits<std::uint32_t>::max();
   std::vector<std::uint32_t> places(mesh.points.size(), None);
   TriangleMesh part;
@@ -40,6 +41,7 @@ TriangleMesh partOf(const TriangleMesh& mesh,
       if (places[corner] == None) {
         places[corner] = static_cast<std::uint32_t>(part.points.size());
         part.points.push_back(mesh.points[corner]);
+        if (taken != nullptr) taken->push_back(corner);
       }
       corner = places[corner];
     }

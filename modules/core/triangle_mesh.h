@@ -27,7 +27,9 @@ double signedVolumeMm3(const TriangleMesh& mesh);
 /// Some triangles of a mesh as a mesh of their own, with the points that they use, in the order in
 /// which they use them.
 /// @param triangles with indices into the mesh's points
+/// @param taken if given, gets the index in the mesh of every point of the part
 TriangleMesh partOf(const TriangleMesh& mesh,
-                    std::span<const std::array<std::uint32_t, 3>> triangles);
+                    std::span<const std::array<std::uint32_t, 3>> triangles,
+                    std::vector<std::uint32_t>* taken = nullptr);
 
 }  // namespace pneuma

@@ -1,5 +1,6 @@
 #include "io/piece_files.h"
 
+#include <algorithm>
 #include <span>
 
 #include "core/error.h"
@@ -34,24 +35,52 @@ void writePieces(const fs::path& file, const std::vector<std::size_t>& ends, Wri
   for (std::size_t i = 0; i < files.size(); ++i) write(files[i], i == 0 ? 0 : ends[i - 1], ends[i]);
 }
 
+template <class Value>
+void take(std::vector<Value>& part, const std::vector<Value>& all,
+          const std::vector<std::uint32_t>& taken) {
+  part.reserve(taken.size());
+  for (const std::uint32_t point : taken) part.push_back(all[point]);
+}
+
+/// The values of some points, and of the triangles from the first one to before the end.
+SurfaceArrays partOf(const SurfaceArrays& arrays, const std::vector<std::uint32_t>& taken,
+                     std::size_t first, std::size_t end) {
+  SurfaceArrays part;
+  for (const auto& [name, values] : arrays.pointVectors) {
+    take(part.pointVectors[name], values, taken);
+  }
+  for (const auto& [name, values] : arrays.pointValues) take(part.pointValues[name], values, taken);
+  for (const auto& [name, marks] : arrays.triangleMarks) {
+    const auto place = [&](std::size_t at) {
+      return marks.begin() + static_cast<std::ptrdiff_t>(at);
+    };
+    part.triangleMarks[name].assign(place(first), place(end));
+  }
+  part.fieldValues = arrays.fieldValues;
+  return part;
+}
+
 }  // namespace
 
-std::vector<std::size_t> pieceEnds(const TriangleMesh& mesh, std::uint64_t largestBytes) {
+std::vector<std::size_t> pieceEnds(const TriangleMesh& mesh, std::uint64_t largestBytes,
+                                   const ArrayBytes& arrays) {
   const std::uint64_t room = largestBytes - BytesBefore;
+  const std::uint64_t ofPoint = BytesOfPoint + arrays.ofPoint;
+  const std::uint64_t ofTriangle = BytesOfTriangle + arrays.ofTriangle;
   const std::size_t count = mesh.triangles.size();
-  if (BytesOfPoint * mesh.points.size() + BytesOfTriangle * count <= room) return {count};
+  if (ofPoint * mesh.points.size() + ofTriangle * count <= room) return {count};
   std::vector<std::size_t> ends;
   std::vector<std::size_t> pieceWith(mesh.points.size(), 0);  // the last one, from 1 on
   std::uint64_t bytes = 0;
   for (std::size_t i = 0; i < count; ++i) {
-    std::uint64_t more = BytesOfTriangle;
+    std::uint64_t more = ofTriangle;
     for (const std::uint32_t corner : mesh.triangles[i]) {
-      if (pieceWith[corner] != ends.size() + 1) more += BytesOfPoint;
+      if (pieceWith[corner] != ends.size() + 1) more += ofPoint;
     }
     if (bytes + more > room) {
       ends.push_back(i);
       bytes = 0;
-      more = BytesOfTriangle + 3 * BytesOfPoint;
+      more = ofTriangle + 3 * ofPoint;
     }
     bytes += more;
     for (const std::uint32_t corner : mesh.triangles[i]) pieceWith[corner] = ends.size() + 1;
@@ -87,10 +116,13 @@ std::vector<fs::path> pieceFiles(const fs::path& file, std::size_t count) {
 }
 
 void writeSurfacePieces(const fs::path& file, const TriangleMesh& mesh,
-                        const std::vector<std::size_t>& ends) {
-  if (ends.size() == 1) return writeSurface(file, mesh);
+                        const std::vector<std::size_t>& ends, const SurfaceArrays& arrays) {
+  if (ends.size() == 1) return writeVtpSurface(file, mesh, arrays);
   writePieces(file, ends, [&](const fs::path& piece, std::size_t first, std::size_t end) {
-    writeSurface(piece, partOf(mesh, std::span(mesh.triangles).subspan(first, end - first)));
+    std::vector<std::uint32_t> taken;
+    const TriangleMesh part =
+        partOf(mesh, std::span(mesh.triangles).subspan(first, end - first), &taken);
+    writeVtpSurface(piece, part, partOf(arrays, taken, first, end));
   });
 }
 
@@ -121,6 +153,16 @@ void requireWhole(const fs::path& folder) {
                     " holds surfaces or trees in pieces for ParaView, as " + quoted(piece) +
                     "; open the project that they are of, or export it again with a larger "
                     "--largest-file");
+}
+
+bool isPiece(const fs::path& file) {
+  const std::string folder = file.parent_path().filename().string();
+  const std::string stem = file.stem().string();
+  const std::size_t before = folder.size() + 1;  // "rul_" of "rul_0"
+  return !folder.empty() && file.extension() == ".vtp" && stem.size() > before &&
+         stem.starts_with(folder + "_") &&
+         std::all_of(stem.begin() + static_cast<std::ptrdiff_t>(before), stem.end(),
+                     [](char c) { return c >= '0' && c <= '9'; });
 }
 
 }  // namespace pneuma

@@ -16,6 +16,18 @@ namespace fs = std::filesystem;
 
 constexpr int SurfacePart = 0;
 constexpr int TreePart = 1;
+constexpr int FirstOtherPiece = ChestWallPart + 1;  ///< the part of a second piece, of anything
+
+constexpr std::uint64_t DoubleBytes = 8;
+constexpr ArrayBytes FrameArrays{6 * DoubleBytes, 1};  ///< displacement, F, volume_change, strain
+constexpr ArrayBytes ChestWallArrays{3 * DoubleBytes, 0};
+
+/// Where the files of a frame end, of every frame alike (piece_files.h).
+struct FramePieces {
+  std::vector<std::size_t> surfaces;
+  std::vector<std::size_t> tree;       ///< empty without one
+  std::vector<std::size_t> chestWall;  ///< empty without one
+};
 
 std::string number(int frame) {
   std::array<char, 16> text{};
@@ -37,8 +49,48 @@ fs::path chestWallFile(const fs::path& pvd, int frame) {
 
 fs::path besides(const fs::path& pvd, const char* ending) { return pvd.stem().string() + ending; }
 
+void append(TriangleMesh& together, const TriangleMesh& mesh) {
+  const auto first = static_cast<std::uint32_t>(together.points.size());
+  together.points.insert(together.points.end(), mesh.points.begin(), mesh.points.end());
+  for (const auto& [a, b, c] : mesh.triangles) {
+    together.triangles.push_back({first + a, first + b, first + c});
+  }
+}
+
+FramePieces framePieces(const BreathingLungs& lungs, std::uint64_t largestFileBytes) {
+  TriangleMesh together;
+  for (const MovingSurface& surface : lungs.surfaces) append(together, *surface.surface.mesh);
+  FramePieces pieces;
+  pieces.surfaces = pieceEnds(together, largestFileBytes, FrameArrays);
+  if (lungs.tree) pieces.tree = pieceEnds(*lungs.tree, largestFileBytes);
+  if (lungs.chestWall) {
+    pieces.chestWall = pieceEnds(lungs.chestWall->wall(), largestFileBytes, ChestWallArrays);
+  }
+  return pieces;
+}
+
+/// The same before anything breathes.
+FramePieces framePieces(const LungModel& model, const BreatheOptions& options,
+                        std::uint64_t largestFileBytes) {
+  TriangleMesh together;
+  if (model.surfaces) {
+    for (const LobeSurface& surface : *model.surfaces) append(together, *surface.mesh);
+  }
+  FramePieces pieces;
+  pieces.surfaces = pieceEnds(together, largestFileBytes, FrameArrays);
+  if (const auto tree = treeOf(model)) pieces.tree = pieceEnds(*tree, largestFileBytes);
+  if (!hasChestWall(options)) return pieces;
+  // Joining lobes takes as long as half of a breath; a wall is smaller than both lungs' lobes.
+  pieces.chestWall = {1};
+  if (pieces.surfaces.size() > 1) {
+    pieces.chestWall = pieceEnds(chestWallOf(model, options), largestFileBytes, ChestWallArrays);
+  }
+  return pieces;
+}
+
 /// All surfaces at a moment as one.
-void writeFrame(const fs::path& path, const BreathingLungs& lungs, const BreathFrame& frame) {
+void writeFrame(const fs::path& path, const BreathingLungs& lungs, const BreathFrame& frame,
+                const std::vector<std::size_t>& ends) {
   TriangleMesh together;
   SurfaceArrays arrays;
   std::vector<Vec3>& displacement = arrays.pointVectors["displacement"];
@@ -48,28 +100,27 @@ void writeFrame(const fs::path& path, const BreathingLungs& lungs, const BreathF
   std::vector<std::uint8_t>& lobe = arrays.triangleMarks["lobe"];
   for (const MovingSurface& surface : lungs.surfaces) {
     const double s = frame.scale.at(surface.side);
-    const auto first = static_cast<std::uint32_t>(together.points.size());
     const TriangleMesh& mesh = *surface.surface.mesh;
+    const std::size_t first = together.points.size();
+    append(together, mesh);
     for (std::size_t n = 0; n < mesh.points.size(); ++n) {
       const Vec3& u = surface.displacement[n];
       const auto& c = surface.volumeChange[n];
       const double determinant = 1.0 + s * (c[0] + s * (c[1] + s * c[2]));
-      together.points.push_back(mesh.points[n] + s * u);
+      together.points[first + n] += s * u;
       displacement.push_back(s * u);
       force.push_back(u.norm());
       change.push_back(determinant);
       strain.push_back(std::cbrt(determinant) - 1.0);
     }
-    for (const auto& triangle : mesh.triangles) {
-      together.triangles.push_back({first + triangle[0], first + triangle[1], first + triangle[2]});
-      lobe.push_back(static_cast<std::uint8_t>(surface.surface.lobe));
-    }
+    lobe.resize(together.triangles.size(), static_cast<std::uint8_t>(surface.surface.lobe));
   }
   arrays.fieldValues["phase"] = frame.phase;
-  writeVtpSurface(path, together, arrays);
+  writeSurfacePieces(path, together, ends, arrays);
 }
 
-void writeChestWall(const fs::path& path, const LungMotion& chest, const BreathFrame& frame) {
+void writeChestWall(const fs::path& path, const LungMotion& chest, const BreathFrame& frame,
+                    const std::vector<std::size_t>& ends) {
   TriangleMesh moved = chest.wall();
   SurfaceArrays arrays;
   std::vector<Vec3>& displacement = arrays.pointVectors["displacement"];
@@ -78,7 +129,7 @@ void writeChestWall(const fs::path& path, const LungMotion& chest, const BreathF
     moved.points[n] += displacement.back();
   }
   arrays.fieldValues["phase"] = frame.phase;
-  writeVtpSurface(path, moved, arrays);
+  writeSurfacePieces(path, moved, ends, arrays);
 }
 
 std::string csvOf(const BreathingLungs& lungs) {
@@ -117,48 +168,67 @@ std::string csvOf(const BreathingLungs& lungs) {
   return text;
 }
 
+/// The files of a frame, as the collection names them.
+std::vector<TimedFile> filesOf(const fs::path& pvd, int frame, double seconds,
+                               const FramePieces& pieces) {
+  std::vector<TimedFile> files;
+  int other = FirstOtherPiece;
+  const auto add = [&](const fs::path& whole, int part, const std::vector<std::size_t>& ends) {
+    if (ends.empty()) return;
+    for (const fs::path& file : pieceFiles(whole, ends.size())) {
+      files.push_back({seconds, part, file});
+      part = other++;
+    }
+    --other;
+  };
+  add(surfaceFile(pvd, frame), SurfacePart, pieces.surfaces);
+  add(treeFile(pvd, frame), TreePart, pieces.tree);
+  add(chestWallFile(pvd, frame), ChestWallPart, pieces.chestWall);
+  return files;
+}
+
 }  // namespace
 
-std::vector<fs::path> breathOutputs(const fs::path& pvd, const BreatheOptions& options, bool tree) {
-  std::vector<fs::path> files = {pvd.filename(), besides(pvd, ".csv"), besides(pvd, ".json"),
-                                 besides(pvd, ".vtp.series")};
+std::vector<fs::path> breathOutputs(const fs::path& pvd, const LungModel& model,
+                                    const BreatheOptions& options, std::uint64_t largestFileBytes) {
+  const FramePieces pieces = framePieces(model, options, largestFileBytes);
+  std::vector<fs::path> files = {pvd.filename(), besides(pvd, ".csv"), besides(pvd, ".json")};
+  if (pieces.surfaces.size() == 1) files.push_back(besides(pvd, ".vtp.series"));
   for (int n = 0; n < options.frames; ++n) {
-    files.push_back(surfaceFile(pvd, n));
-    if (tree) files.push_back(treeFile(pvd, n));
-    if (hasChestWall(options)) files.push_back(chestWallFile(pvd, n));
+    for (const TimedFile& file : filesOf(pvd, n, 0.0, pieces)) files.push_back(file.file);
   }
   return files;
 }
 
 void writeBreath(const fs::path& pvd, const BreathingLungs& lungs, const Json& report,
-                 const Progress& progress) {
+                 const Progress& progress, std::uint64_t largestFileBytes) {
   const fs::path folder = pvd.parent_path();
+  const FramePieces pieces = framePieces(lungs, largestFileBytes);
   std::vector<TimedFile> files;
+  const auto add = [&](int n, double seconds) {
+    const std::vector<TimedFile> more = filesOf(pvd, n, seconds, pieces);
+    files.insert(files.end(), more.begin(), more.end());
+  };
   const auto count = static_cast<int>(lungs.frames.size());
   for (int n = 0; n < count; ++n) {
     const BreathFrame& frame = lungs.frames[static_cast<std::size_t>(n)];
-    const double seconds = frame.phase * lungs.drive.period;
-    writeFrame(folder / surfaceFile(pvd, n), lungs, frame);
-    files.push_back({seconds, SurfacePart, surfaceFile(pvd, n)});
+    writeFrame(folder / surfaceFile(pvd, n), lungs, frame, pieces.surfaces);
     if (lungs.tree) {
-      writeTree(folder / treeFile(pvd, n), treeAt(lungs, frame));
-      files.push_back({seconds, TreePart, treeFile(pvd, n)});
+      writeTreePieces(folder / treeFile(pvd, n), treeAt(lungs, frame), {}, pieces.tree);
     }
     if (lungs.chestWall) {
-      writeChestWall(folder / chestWallFile(pvd, n), *lungs.chestWall, frame);
-      files.push_back({seconds, ChestWallPart, chestWallFile(pvd, n)});
+      writeChestWall(folder / chestWallFile(pvd, n), *lungs.chestWall, frame, pieces.chestWall);
     }
+    add(n, frame.phase * lungs.drive.period);
     progress.report(static_cast<double>(n + 1) / count);
   }
-  files.push_back({lungs.drive.period, SurfacePart, surfaceFile(pvd, 0)});
-  if (lungs.tree) files.push_back({lungs.drive.period, TreePart, treeFile(pvd, 0)});
-  if (lungs.chestWall) {
-    files.push_back({lungs.drive.period, ChestWallPart, chestWallFile(pvd, 0)});
-  }
+  add(0, lungs.drive.period);
   writeFile(folder / besides(pvd, ".csv"), csvOf(lungs));
   writeFile(folder / besides(pvd, ".json"),
             report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
-  writeFileSeries(folder / besides(pvd, ".vtp.series"), files, SurfacePart);
+  if (pieces.surfaces.size() == 1) {
+    writeFileSeries(folder / besides(pvd, ".vtp.series"), files, SurfacePart);
+  }
   writeTimeCollection(pvd, files);
 }
 

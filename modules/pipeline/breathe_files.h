@@ -1,8 +1,10 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <vector>
 
+#include "io/piece_files.h"
 #include "pipeline/breathe.h"
 
 namespace pneuma {
@@ -12,9 +14,15 @@ inline constexpr int ChestWallPart = 2;
 
 /// What writeBreath() writes for "breath.pvd": breath.csv, breath.json, breath.vtp.series and a VTP
 /// for every frame, beside it: breath_0000.vtp and, with a tree, breath_tree_0000.vtp, with a chest
-/// wall breath_chest_wall_0000.vtp.
+/// wall breath_chest_wall_0000.vtp. What would be larger than that is in pieces (piece_files.h), as
+/// breath_0000/breath_0000_0.vtp, which the collection names; surfaces in pieces have no
+/// .vtp.series, for it would show one piece.
+/// @param model, options what breathe() is given
+/// @throws as breathe(), of a chest wall that is large
 std::vector<std::filesystem::path> breathOutputs(const std::filesystem::path& pvd,
-                                                 const BreatheOptions& options, bool tree);
+                                                 const LungModel& model,
+                                                 const BreatheOptions& options,
+                                                 std::uint64_t largestFileBytes = LargestFileBytes);
 
 /// Writes a breath for ParaView. Points really move, triangles are the same in every frame; the
 /// collection ends with the first frame again, one period later. Arrays of points: `displacement`
@@ -23,6 +31,6 @@ std::vector<std::filesystem::path> breathOutputs(const std::filesystem::path& pv
 /// `displacement` alone. The table has time, pressure, flow, volumes.
 /// @throws OutputFailed, Cancelled: what was written before stays
 void writeBreath(const std::filesystem::path& pvd, const BreathingLungs& lungs, const Json& report,
-                 const Progress& progress = {});
+                 const Progress& progress = {}, std::uint64_t largestFileBytes = LargestFileBytes);
 
 }  // namespace pneuma

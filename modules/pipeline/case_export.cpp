@@ -30,7 +30,8 @@ constexpr const char* LabelStem = "labels";
 constexpr std::array<const char*, 4> TreeFiles = {"tree.vtp", "tree.swc", "tree.csv", "tree.json"};
 constexpr std::array<std::string_view, 4> SurfaceFormats = {"stl", "obj", "ply", "vtp"};
 constexpr std::array<std::string_view, 3> LabelFormats = {"nii.gz", "nrrd", "mha"};
-constexpr double VoxelMm = 1.0;  ///< of labels where there is no image
+constexpr ArrayBytes PatchArrays{0, 1};  ///< on_fissure
+constexpr double VoxelMm = 1.0;          ///< of labels where there is no image
 
 bool hasSurfaces(const LungModel& model) { return model.surfaces && !model.surfaces->empty(); }
 
@@ -57,20 +58,27 @@ std::vector<Block> blocksOf(const ProjectState& state, std::uint64_t largestByte
   if (!state.model.lobes) return blocks;
   for (const SplitLung& lung : state.model.lobes->lungs) {
     for (const Fissure fissure : fissuresOf(lung.side)) {
-      blocks.push_back({std::string(shortName(fissure)), {patchFile(fissure)}});
+      const std::size_t count =
+          pneuma::pieceEnds(fissurePatch(lung, fissure), largestBytes, PatchArrays).size();
+      blocks.push_back({std::string(shortName(fissure)), pieceFiles(patchFile(fissure), count)});
     }
   }
   return blocks;
 }
 
-void writeFissurePatches(const fs::path& folder, const LobesOfLungs& lobes) {
+void writeFissurePatches(const fs::path& folder, const LobesOfLungs& lobes,
+                         std::uint64_t largestBytes) {
   for (const SplitLung& lung : lobes.lungs) {
     for (const Fissure fissure : fissuresOf(lung.side)) {
-      TriangleMarks marks;
+      const TriangleMesh patch = fissurePatch(lung, fissure);
+      SurfaceArrays arrays;
       const auto complete = lobes.complete.find(fissure);
-      if (complete != lobes.complete.end()) marks["on_fissure"] = complete->second.onSheet;
+      if (complete != lobes.complete.end()) {
+        arrays.triangleMarks["on_fissure"] = complete->second.onSheet;
+      }
       fs::create_directories((folder / patchFile(fissure)).parent_path());
-      writeSurface(folder / patchFile(fissure), fissurePatch(lung, fissure), {}, marks);
+      writeSurfacePieces(folder / patchFile(fissure), patch,
+                         pneuma::pieceEnds(patch, largestBytes, PatchArrays), arrays);
     }
   }
 }
@@ -80,8 +88,9 @@ void writeFissurePatches(const fs::path& folder, const LobesOfLungs& lobes) {
 void requireNoOtherPieces(const fs::path& folder, const std::vector<Block>& blocks) {
   std::error_code error;
   for (const Block& block : blocks) {
-    const fs::path whole = block.name + ".vtp";
     const std::size_t count = block.files.size();
+    fs::path whole = block.files.front();
+    if (count > 1) whole = whole.parent_path() += ".vtp";
     std::vector<fs::path> others = {count == 1 ? pieceFiles(whole, 2).front() : whole};
     if (count > 1) others.push_back(pieceFiles(whole, count + 1).back());
     for (const fs::path& other : others) {
@@ -106,21 +115,22 @@ void writeForParaview(const fs::path& folder, const ProjectState& state,
       writeTreePieces(file, *part.tree, metadataOf(state.model, part.tree.get()), ends);
     }
   }
-  if (state.model.lobes) writeFissurePatches(folder, *state.model.lobes);
+  if (state.model.lobes) writeFissurePatches(folder, *state.model.lobes, largestBytes);
   writeMultiblock(folder / TogetherFile, blocks);
   progress.report(0.2);
   if (!breathes(state)) return;
   if (breath.lungs != nullptr) {
     Json report = *breath.report;
     hideFileNames(report);
-    writeBreath(folder / BreathFile, *breath.lungs, report, progress.part(0.2, 1.0, ""));
+    writeBreath(folder / BreathFile, *breath.lungs, report, progress.part(0.2, 1.0, ""),
+                largestBytes);
     return;
   }
   const BreathingLungs lungs =
       breathe(state.model, *state.breath, progress.part(0.2, 0.6, "moving lungs"));
   Json report = breatheReport(state.model, lungs, *state.breath);
   hideFileNames(report);
-  writeBreath(folder / BreathFile, lungs, report, progress.part(0.6, 1.0, "writing"));
+  writeBreath(folder / BreathFile, lungs, report, progress.part(0.6, 1.0, "writing"), largestBytes);
 }
 
 void writeBreathOf(const ProjectState& state, const fs::path& file, const MadeBreath& breath,
@@ -243,7 +253,7 @@ std::vector<fs::path> presetOutputs(ExportPreset preset, const ProjectState& sta
       files.emplace_back(TogetherFile);
       if (!breathes(state)) return files;
       for (const fs::path& file :
-           breathOutputs(BreathFile, *state.breath, treeOf(state.model) != nullptr)) {
+           breathOutputs(BreathFile, state.model, *state.breath, format.largestFileBytes)) {
         files.push_back(file);
       }
       return files;

@@ -41,8 +41,8 @@ std::span<const std::string_view> formatsOf(ExportPreset preset);
 /// How the files of a preset are written.
 struct ExportFormat {
   std::string name;  ///< one of formatsOf(); empty: the usual one
-  /// Of Paraview: a surface or a tree that would have more is written in pieces (piece_files.h);
-  /// surfaces of fissures and frames of a breath are not. At least LeastFileBytes.
+  /// Of Paraview: a surface or a tree that would have more is written in pieces (piece_files.h),
+  /// those of a breath, too. At least LeastFileBytes.
   std::uint64_t largestFileBytes = LargestFileBytes;
 };
 

@@ -9,6 +9,7 @@ keeps() { expect "the JSON breaks $1: $("$JSON_CHECK" "$SCHEMAS/$1.schema.json" 
 column() { awk -F, -v name="$1" 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == name) c = i; next } { print $c }' "$2"; }
 
 succeeds "a chest" sample chest --cell 5mm -q
+mkdir parts && cp chest/*.stl parts # a tenth of the triangles
 succeeds "its lobes, which share their triangles" lobes chest -o lobes -q
 succeeds "a tree in it" grow lobes --central chest/central.vtp --method centroid --terminals 500 -o tree.vtp -q
 succeeds "quiet breathing" breathe lobes tree.vtp -o breath.pvd --frames 8 --scenario vital-capacity --json
@@ -27,6 +28,25 @@ expect "the volume does not go up and down by three litres" awk -F, '
 succeeds "a frame is a healthy surface" info breath_0003.vtp
 succeeds "a frame of the airways" info breath_tree_0003.vtp
 prints 'branches'
+
+# Frames in pieces, with the chest wall of a pneumothorax.
+mkdir pieces
+succeeds "frames in pieces" breathe parts tree.vtp -o pieces/air.pvd --frames 2 --scenario pneumothorax --largest-file 100K -q
+named=$(grep -o 'file="[^"]*"' pieces/air.pvd | cut -d'"' -f2 | sort -u)
+for thing in air air_tree air_chest_wall; do
+  for file in "${thing}_0000/${thing}_0000_0.vtp" "${thing}_0001/${thing}_0001_1.vtp"; do
+    expect "$file is not named" grep -qx "$file" <<<"$named"
+  done
+done
+expect "the collection names others than there are" test "$named" = "$(cd pieces && find . -name '*.vtp' | cut -c3- | sort)"
+expect "larger files: $(find pieces -name '*.vtp' -size +100k)" test -z "$(find pieces -name '*.vtp' -size +100k)"
+expect "two files of one moment are one part" test -z \
+  "$(grep -o 'timestep="0" .* part="[0-9]*"' pieces/air.pvd | sort | uniq -d)"
+expect "a series of pieces" test ! -e pieces/air.vtp.series
+rm pieces/air.{pvd,csv,json}
+refuses "pieces over others" 6 "air_0000_0.vtp' exists already; add --force" \
+  breathe parts tree.vtp -o pieces/air.pvd --frames 2 --scenario pneumothorax --largest-file 100K
+refuses "pieces of nothing" 2 'largest-file is 64K or more' breathe parts -o other.pvd --largest-file 1K
 
 # An egg of a right lung's size, in rings of points from pole to pole.
 awk 'BEGIN {
@@ -66,17 +86,17 @@ sed '7s/,.*,.*,.*/,x,0,0/' curve.csv >word.csv
 sed '100,180d' curve.csv >gap.csv
 sed '7s/.*/0.05,nan,0,0/' curve.csv >nan.csv
 awk -F, -v OFS=, 'NR > 1 { $2 = -$2 } 1' curve.csv >oesophagus.csv
-refuses "a breath of 19 rows" 4 'short.csv. has 19 rows' breathe lobes -o none.pvd --fit short.csv
-refuses "times that go back" 4 'back.csv., line 7: the time' breathe lobes -o none.pvd --fit back.csv
-refuses "a pressure that is a word" 4 'word.csv., line 7, column pressure' breathe lobes -o none.pvd --fit word.csv
-refuses "a pressure that is none" 4 'nan.csv., line 7, column pressure' breathe lobes -o none.pvd --fit nan.csv
-refuses "a breath with a gap" 4 'gap.csv., line 100: .*missing' breathe lobes -o none.pvd --fit gap.csv
-refuses "pressures of the oesophagus" 4 'line [0-9]+: .*negative' breathe lobes -o none.pvd --fit oesophagus.csv
-refuses "a breath without pressures" 4 'no column .pressure_cmh2o' breathe lobes -o none.pvd --fit volumes.csv
-refuses "a breath that is not there" 3 'gone.csv' breathe lobes -o none.pvd --fit gone.csv
-refuses "a measured breath of another volume" 2 'leave --tidal' breathe lobes -o none.pvd --fit curve.csv --tidal 700
-refuses "a curve that is no picture" 5 'png' breathe lobes -o none.pvd --curve curve.svg
-refuses "a curve in the place of the frames' table" 2 'name the picture otherwise' breathe lobes -o none.pvd --curve none.png
+refuses "a breath of 19 rows" 4 'short.csv. has 19 rows' breathe parts -o none.pvd --fit short.csv
+refuses "times that go back" 4 'back.csv., line 7: the time' breathe parts -o none.pvd --fit back.csv
+refuses "a pressure that is a word" 4 'word.csv., line 7, column pressure' breathe parts -o none.pvd --fit word.csv
+refuses "a pressure that is none" 4 'nan.csv., line 7, column pressure' breathe parts -o none.pvd --fit nan.csv
+refuses "a breath with a gap" 4 'gap.csv., line 100: .*missing' breathe parts -o none.pvd --fit gap.csv
+refuses "pressures of the oesophagus" 4 'line [0-9]+: .*negative' breathe parts -o none.pvd --fit oesophagus.csv
+refuses "a breath without pressures" 4 'no column .pressure_cmh2o' breathe parts -o none.pvd --fit volumes.csv
+refuses "a breath that is not there" 3 'gone.csv' breathe parts -o none.pvd --fit gone.csv
+refuses "a measured breath of another volume" 2 'leave --tidal' breathe parts -o none.pvd --fit curve.csv --tidal 700
+refuses "a curve that is no picture" 5 'png' breathe parts -o none.pvd --curve curve.svg
+refuses "a curve in the place of the frames' table" 2 'name the picture otherwise' breathe parts -o none.pvd --curve none.png
 succeeds "on the back" breathe right.obj -o supine.pvd --frames 2
 prints 'landmarks of people .supine.; typical error'
 succeeds "prone" breathe right.obj -o prone.pvd --frames 2 --posture prone --json
@@ -89,11 +109,11 @@ for model in published continuous; do
 done
 refuses "constants for a model without any" 2 'Leave one of the two out' breathe right.obj -o none.pvd --model continuous --motion deep
 refuses "a posture that is none" 2 'posture.*supine' breathe right.obj -o none.pvd --posture standing
-succeeds "a lobe with emphysema" breathe lobes -o soft.pvd --frames 2 --emphysema lll --json
+succeeds "a lobe with emphysema" breathe parts -o soft.pvd --frames 2 --emphysema lll --json
 keeps breathe
 prints '"lobe": "LLL"'
 expect "the left lung takes no more of the breath than by its volume" awk '/"least_ml"/ { least = $2 + 0 } /"most_ml"/ { gain[n++] = $2 - least } END { exit gain[1] > 1.05 * gain[0] ? 0 : 1 }' "$logs/out"
-succeeds "a pneumothorax" breathe lobes tree.vtp -o air.pvd --frames 2 --scenario pneumothorax --json
+succeeds "a pneumothorax" breathe parts tree.vtp -o air.pvd --frames 2 --scenario pneumothorax --json
 keeps breathe
 expect "the air around the lung is not told" grep -q '"gap_ml": [1-9][0-9][0-9]' "$logs/out"
 expect "there is no chest wall" test -s air_chest_wall_0001.vtp
@@ -102,17 +122,17 @@ expect "the air does not keep its volume" awk -F, '
   NR == 1 { for (i = 1; i <= NF; i++) if ($i == "pleural_gap_ml") c = i; next }
   NR == 2 { gap = $c }
   { if ($c < 100 || $c - gap > 1e-3 || gap - $c > 1e-3) exit 1 }' air.csv
-refuses "an onion skin without pictures" 2 'onion-skin requires --pictures' breathe lobes -o none.pvd --onion-skin
-refuses "a region without a factor" 2 'says no stiffness' breathe lobes -o none.pvd --stiffness LLL
-refuses "a region that is none" 2 'neither a lobe .* nor a ball' breathe lobes -o none.pvd --stiffness 1,2,3=5
-refuses "a region too stiff" 2 '0.01 to 100' breathe lobes -o none.pvd --stiffness LLL=1000
-refuses "a ball beside the lungs" 2 'is in no lung' breathe lobes -o none.pvd --stiffness 0,0,900,10=5
-refuses "emphysema of no lobe" 2 'knows RUL.*spleen' breathe lobes -o none.pvd --emphysema spleen
+refuses "an onion skin without pictures" 2 'onion-skin requires --pictures' breathe parts -o none.pvd --onion-skin
+refuses "a region without a factor" 2 'says no stiffness' breathe parts -o none.pvd --stiffness LLL
+refuses "a region that is none" 2 'neither a lobe .* nor a ball' breathe parts -o none.pvd --stiffness 1,2,3=5
+refuses "a region too stiff" 2 '0.01 to 100' breathe parts -o none.pvd --stiffness LLL=1000
+refuses "a ball beside the lungs" 2 'is in no lung' breathe parts -o none.pvd --stiffness 0,0,900,10=5
+refuses "emphysema of no lobe" 2 'knows RUL.*spleen' breathe parts -o none.pvd --emphysema spleen
 refuses "a lobe of a whole lung" 2 'no left lower lobe' breathe right.obj -o none.pvd --emphysema LLL
 refuses "a file that is there" 6 'exists' breathe lobes -o breath.pvd
-refuses "another format" 5 'end in .pvd' breathe lobes -o breath.vtp
-refuses "no frames" 2 'frames must lie in .1' breathe lobes -o none.pvd --frames 0
-refuses "a scenario that is none" 2 'scenario.*quiet' breathe lobes -o none.pvd --scenario copdd
+refuses "another format" 5 'end in .pvd' breathe parts -o breath.vtp
+refuses "no frames" 2 'frames must lie in .1' breathe parts -o none.pvd --frames 0
+refuses "a scenario that is none" 2 'scenario.*quiet' breathe parts -o none.pvd --scenario copdd
 refuses "lobes that are not there" 3 'no .*gone' breathe gone -o none.pvd
 refuses "a tree and no lung" 4 'no lung' breathe tree.vtp -o none.pvd
 refuses "half a lung" 4 'RML|RLL|missing' breathe chest/rul.stl -o none.pvd

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
+#include <vtkFieldData.h>
 #include <vtkIdList.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkMultiPieceDataSet.h>
@@ -133,6 +134,52 @@ TEST(PieceFiles, OfASurfaceMakeItUpAgain) {
   EXPECT_EQ(i, mesh.triangles.size());
   EXPECT_LT(points, static_cast<vtkIdType>(2 * mesh.points.size())) << "they are joined in a piece";
   EXPECT_EQ(readSurface(pieceFiles(folder / "a b.vtp", ends.size())[1]).space, "LPS");
+}
+
+TEST(PieceFiles, OfASurfaceKeepItsArrays) {
+  const TempFolder folder;
+  const TriangleMesh mesh = sheet(60);
+  SurfaceArrays arrays;
+  for (const Vec3& point : mesh.points) {
+    arrays.pointVectors["displacement"].emplace_back(2.0 * point);
+    arrays.pointValues["height"].push_back(point.z());
+  }
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    arrays.triangleMarks["lobe"].push_back(static_cast<std::uint8_t>(i % 5));
+  }
+  arrays.fieldValues["phase"] = 0.25;
+  constexpr std::uint64_t Largest = 100'000;
+  const std::vector<std::size_t> ends = pieceEnds(mesh, Largest, {32, 1});
+  EXPECT_GT(ends.size(), pieceEnds(mesh, Largest).size()) << "arrays take room";
+  writeSurfacePieces(folder / "lung.vtp", mesh, ends, arrays);
+  std::size_t i = 0;
+  for (const auto& piece : severalOpened(folder, "lung", ends.size(), Largest)) {
+    ASSERT_NE(piece, nullptr);
+    vtkDataArray* displacement = piece->GetPointData()->GetArray("displacement");
+    vtkDataArray* height = piece->GetPointData()->GetArray("height");
+    vtkDataArray* lobe = piece->GetCellData()->GetArray("lobe");
+    ASSERT_TRUE(displacement != nullptr && height != nullptr && lobe != nullptr);
+    for (vtkIdType n = 0; n < piece->GetNumberOfPoints(); ++n) {
+      const Vec3 point(piece->GetPoint(n));
+      ASSERT_EQ(Vec3(displacement->GetTuple(n)), 2.0 * point);
+      ASSERT_EQ(height->GetTuple1(n), point.z());
+    }
+    for (vtkIdType cell = 0; cell < piece->GetNumberOfPolys(); ++cell, ++i) {
+      ASSERT_EQ(lobe->GetTuple1(cell), static_cast<double>(i % 5));
+    }
+    ASSERT_NE(piece->GetFieldData()->GetArray("phase"), nullptr);
+    EXPECT_EQ(piece->GetFieldData()->GetArray("phase")->GetTuple1(0), 0.25);
+  }
+  EXPECT_EQ(i, mesh.triangles.size());
+}
+
+TEST(PieceFiles, AreToldByTheirNames) {
+  EXPECT_TRUE(isPiece("a/rul/rul_0.vtp"));
+  EXPECT_TRUE(isPiece(pieceFiles("breath_tree_0003.vtp", 12)[11]));
+  for (const char* other : {"rul.vtp", "rul_0.vtp", "a/rul_0.vtp", "rul/rul.vtp", "rul/rul_.vtp",
+                            "rul/rul_0a.vtp", "rul/rul_0.stl", "rul/rul_0_0.vtp", ""}) {
+    EXPECT_FALSE(isPiece(other)) << other;
+  }
 }
 
 TEST(PieceFiles, OfATreeKeepItsBranchesAndColumns) {

@@ -9,6 +9,8 @@
 #include "core/error.h"
 #include "core/parallel.h"
 #include "geometry/surface_domain.h"
+#include "io/temp_folder.h"
+#include "pipeline/breathe_files.h"
 #include "pipeline/lobes_model.h"
 #include "pipeline/sample_chest.h"
 #include "pipeline/whole_lungs.h"
@@ -222,6 +224,33 @@ TEST(Breathe, IsTheSameForAnyNumberOfThreads) {
   for (std::size_t n = 0; n < many.surfaces.size(); ++n) {
     EXPECT_EQ(many.surfaces[n].displacement, alone.surfaces[n].displacement);
     EXPECT_EQ(many.surfaces[n].volumeChange, alone.surfaces[n].volumeChange);
+  }
+}
+
+TEST(Breathe, WritesTheFilesThatItTells) {
+  for (const Breathing scenario : {Breathing::Quiet, Breathing::Pneumothorax}) {
+    BreatheOptions options;
+    options.scenario = scenario;
+    options.frames = 2;
+    const BreathingLungs lungs = breathe(grownChest(), options);
+    std::size_t whole = 0;
+    for (const std::uint64_t largest : {LargestFileBytes, LeastFileBytes}) {
+      const testing::TempFolder folder;
+      writeBreath(folder / "a b.pvd", lungs, Json::object(), {}, largest);
+      std::vector<std::filesystem::path> written;
+      for (const auto& entry : std::filesystem::recursive_directory_iterator(folder.path())) {
+        if (!entry.is_regular_file()) continue;
+        written.push_back(entry.path().lexically_relative(folder.path()));
+        EXPECT_TRUE(!isPiece(entry.path()) || entry.file_size() <= largest) << entry.path();
+      }
+      auto told = breathOutputs(folder / "a b.pvd", grownChest(), options, largest);
+      std::ranges::sort(written);
+      std::ranges::sort(told);
+      EXPECT_EQ(written, told);
+      if (largest == LargestFileBytes) whole = told.size();
+      EXPECT_GE(told.size(), whole);
+      EXPECT_EQ(std::ranges::any_of(told, isPiece), largest == LeastFileBytes);
+    }
   }
 }
 
