@@ -159,8 +159,10 @@ function(pneuma_add_test name)
     foreach(suite IN LISTS arg_TOGETHER)
       string(APPEND alone ":${suite}.*:*/${suite}.*")
       add_test(NAME ${name}/${suite} COMMAND ${target} "--gtest_filter=${suite}.*:*/${suite}.*")
-      set_tests_properties(${name}/${suite} PROPERTIES TIMEOUT 600 LABELS "${name};${arg_LABELS}"
-                                                       ENVIRONMENT "${PNEUMA_TEST_ENVIRONMENT}")
+      set_tests_properties(
+        ${name}/${suite} PROPERTIES TIMEOUT 3600 LABELS "${name};${arg_LABELS}"
+                                    FAIL_REGULAR_EXPRESSION "Running 0 tests"
+                                    ENVIRONMENT "${PNEUMA_TEST_ENVIRONMENT}")
     endforeach()
     include(GoogleTest)
     gtest_discover_tests(

@@ -123,16 +123,15 @@ ExitCode runBreathe(BreatheArguments arguments, const CommonOptions& common,
     arguments.inputs.push_back(file);
   }
   const std::filesystem::path folder = common.output.parent_path();
-  std::vector<std::filesystem::path> paths;
-  for (const auto& file : breathOutputs(common.output, model, arguments.options, largestBytes)) {
-    paths.push_back(folder / file);
-  }
+  std::vector<std::filesystem::path> frames =
+      breathOutputs(common.output, model, arguments.options, largestBytes);
+  std::vector<std::filesystem::path> paths;  // of what is written besides
   if (!arguments.curve.empty()) {
     const std::filesystem::path table = tableBeside(arguments.curve);
-    const auto isTable = [&](const std::filesystem::path& path) {
-      return path.lexically_normal() == table.lexically_normal();
+    const auto isTable = [&](const std::filesystem::path& file) {
+      return (folder / file).lexically_normal() == table.lexically_normal();
     };
-    if (std::ranges::any_of(paths, isTable)) {
+    if (std::ranges::any_of(frames, isTable)) {
       throw InvalidOption("the curve's table would be '" + table.string() +
                           "', which holds the table of frames; name the picture otherwise");
     }
@@ -152,19 +151,35 @@ ExitCode runBreathe(BreatheArguments arguments, const CommonOptions& common,
       paths.push_back(framePicture(common.output, n));
     }
   }
+  const auto requirePlaces = [&] {
+    requireNoOtherSeries(common.output, frames);
+    for (const auto& file : frames) {
+      const std::filesystem::path path = folder / file;
+      if (file.has_parent_path() && !exists(path.parent_path())) continue;  // it will be made
+      requireOutput(path, common.existing());
+      requireOtherThanInputs(path, arguments.inputs);
+    }
+  };
+  requirePlaces();
   for (const auto& path : paths) {
-    if (isPiece(path) && !exists(path.parent_path())) continue;  // its folder will be made
     requireOutput(path, common.existing());
     requireOtherThanInputs(path, arguments.inputs);
   }
   const BreathingLungs lungs =
       breathe(model, arguments.options, progress.part(0.2, 0.7, "breathing"));
   const Json report = breatheReport(model, lungs, arguments.options);
+  frames = breathOutputs(common.output, lungs, largestBytes);
+  requirePlaces();
   OutputSet outputs;
-  for (const auto& path : paths) {
-    if (isPiece(path)) outputs.addFolder(path.parent_path());
-    outputs.add(path);
+  for (const auto& file : frames) {
+    if (!file.has_parent_path()) {
+      outputs.add(folder / file);
+      continue;
+    }
+    outputs.addFolder(folder / file.parent_path());
+    outputs.add(folder / file, folder.empty() ? "." : folder);
   }
+  for (const auto& path : paths) outputs.add(path);
   writeBreath(common.output, lungs, report, progress.part(0.7, 0.85, "writing"), largestBytes);
   if (arguments.pictures) {
     const auto write = [&](int frame, const Picture& picture) {
@@ -214,7 +229,7 @@ Run declareBreathe(CLI::App& app, CommonOptions& common) {
       ->type_name("FILE");
   app.add_option("--largest-file", arguments->largestFile,
                  "Surfaces or airways whose file of a frame would be larger are written in pieces, "
-                 "which the .pvd names; bytes, or as 500M (default 2G).")
+                 "with a .vtm that names them; bytes, or as 500M (default 2G).")
       ->type_name("SIZE");
   addRepeatable(app, "--stiffness", arguments->stiffness, "REGION=FACTOR",
                 "A lobe, or a ball X,Y,Z,RADIUS (mm, LPS), and how many times as stiff as healthy "
@@ -233,7 +248,8 @@ Run declareBreathe(CLI::App& app, CommonOptions& common) {
       ->needs(pictures);
   addOutput(app, common, "FILE",
             "The collection for ParaView (.pvd). Beside it: a VTP for every frame, of the airways "
-            "too, a .vtp.series, the table of volumes and pressures (.csv) and the report (.json).")
+            "too, a .vtp.series (unless frames are in pieces), the table of volumes and pressures "
+            "(.csv) and the report (.json).")
       ->required();
   addJson(app, common);
   return [arguments, &common](const Progress& progress) {

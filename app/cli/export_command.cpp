@@ -346,7 +346,7 @@ Run declareExport(CLI::App& app, CommonOptions& common) {
       ->type_name("FORMAT");
   app.add_option("--largest-file", arguments->largestFile,
                  "Of --preset paraview: a surface or a tree that would make a larger file is "
-                 "written in pieces, which the .vtm or the .pvd names; bytes, or as 500M "
+                 "written in pieces, which a .vtm names; bytes, or as 500M "
                  "(default 2G).")
       ->type_name("SIZE");
   app.add_option("--view", arguments->view,

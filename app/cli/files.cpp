@@ -171,13 +171,13 @@ OutputSet::~OutputSet() {
   }
 }
 
-void OutputSet::add(const fs::path& path) {
+void OutputSet::add(const fs::path& path, const fs::path& aside) {
   std::error_code error;
   const fs::path file = endOfLinks(path);
   if (fs::is_symlink(file, error)) return;  // one that leads to itself: the writer says so
   if (fs::exists(file, error)) {
     if (!fs::is_regular_file(file, error)) return;
-    const fs::path folder = file.parent_path();
+    const fs::path folder = aside.empty() ? file.parent_path() : aside;
     replaced_.try_emplace(folder, folder).first->second.keep(file);
     return;
   }

@@ -49,7 +49,9 @@ class OutputSet {
 
   /// Call directly before a file is written. One that exists already is there all the time, the old
   /// one or the new one.
-  void add(const std::filesystem::path& path);
+  /// @param aside the folder that keeps it till then, for files in many folders of one disk; else
+  /// its own
+  void add(const std::filesystem::path& path, const std::filesystem::path& aside = {});
 
   /// Makes a folder, unless it exists. @throws OutputFailed
   void addFolder(const std::filesystem::path& path);

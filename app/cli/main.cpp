@@ -2,12 +2,15 @@
 #include <filesystem>
 #include <iostream>
 #include <new>
+#include <string>
 #include <system_error>
+#include <vector>
 
 #include "cli/command_line.h"
 #include "cli/interrupt.h"
 #include "cli/last_resort.h"
 #include "cli/limits.h"
+#include "core/error.h"
 #include "core/memory_watch.h"
 #include "io/unfinished_files.h"
 
@@ -36,8 +39,33 @@ pneuma::ExitCode codeOf(const std::filesystem::filesystem_error& error) {
   return writing ? pneuma::ExitCode::OutputFailed : pneuma::ExitCode::InputMissing;
 }
 
+/// "'FILE': " of the one file or folder that a command is given, for a message that does not say
+/// where it is wrong; else nothing.
+std::string placeOf(const std::vector<std::string>& arguments, const std::string& message) {
+  std::filesystem::path only;
+  for (std::size_t i = 1; i < arguments.size(); ++i) {  // behind the command
+    const std::string& argument = arguments[i];
+    std::error_code error;
+    if (argument.starts_with('-') || !std::filesystem::exists(argument, error)) continue;
+    if (!only.empty()) return {};
+    only = argument;
+  }
+  if (!only.has_filename()) only = only.parent_path();
+  const std::string name = only.filename().string();
+  if (name.empty() || message.find(name) != std::string::npos) return {};
+  return "'" + only.string() + "': ";
+}
+
+pneuma::ExitCode ended(const std::vector<std::string>& arguments) {
+  try {
+    return pneuma::cli::runCommandLine(arguments);
+  } catch (const pneuma::InvalidInput& error) {
+    throw pneuma::InvalidInput(placeOf(arguments, error.what()) + error.what());
+  }
+}
+
 pneuma::ExitCode run(int argc, char** argv) {
-  const pneuma::ExitCode code = pneuma::cli::runCommandLine({argv + 1, argv + argc});
+  const pneuma::ExitCode code = ended({argv + 1, argv + argc});
   if (pneuma::memoryRanOut()) throw std::bad_alloc();
   if (!std::cout.flush()) {
     throw pneuma::OutputFailed("standard output cannot be written; is the disk full?");

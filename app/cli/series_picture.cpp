@@ -9,7 +9,6 @@
 
 #include "core/error.h"
 #include "io/multiblock_file.h"
-#include "io/piece_files.h"
 #include "io/surface_file.h"
 #include "io/tree_file.h"
 #include "pipeline/breathe_files.h"
@@ -59,17 +58,14 @@ Series readSeries(const std::filesystem::path& pvd) {
     if (series.moments.empty() || series.moments.back().seconds != file.seconds) {
       series.moments.push_back({file.seconds, {}, {}});
     }
-    SeriesMoment& moment = series.moments.back();
-    auto& files = file.part == ChestWallPart ? moment.chestWalls : moment.files;
-    const std::filesystem::path path = pvd.parent_path() / file.file;
-    // ParaView names moments as pieces are named, but has one of them at a time.
-    if (isPiece(path) && !files.empty() && files.back().parent_path() == path.parent_path() &&
-        isPiece(files.back())) {
-      throw Unsupported("'" + pvd.string() + "' names pieces for ParaView, as '" +
-                        file.file.string() +
-                        "'; to draw it here, breathe again with a larger --largest-file");
+    if (file.file.extension() == ".vtm") {
+      throw Unsupported("'" + pvd.string() + "' names '" + file.file.string() +
+                        "', a frame in pieces for ParaView; to draw it here, breathe again with a "
+                        "larger --largest-file");
     }
-    files.push_back(path);
+    SeriesMoment& moment = series.moments.back();
+    (file.part == ChestWallPart ? moment.chestWalls : moment.files)
+        .push_back(pvd.parent_path() / file.file);
   }
   const SeriesMoment& first = series.moments.front();
   const SeriesMoment& last = series.moments.back();

@@ -35,7 +35,7 @@ struct Series {
 
 bool isSeries(const std::filesystem::path& path);
 
-/// @throws InputMissing, InvalidInput; Unsupported of frames in pieces (io/piece_files.h)
+/// @throws InputMissing, InvalidInput; Unsupported of frames in pieces
 Series readSeries(const std::filesystem::path& pvd);
 
 /// What the files of a moment hold, unexamined: all moments have the triangles of the first, and to

@@ -1,6 +1,5 @@
 #include "io/piece_files.h"
 
-#include <algorithm>
 #include <span>
 
 #include "core/error.h"
@@ -153,16 +152,6 @@ void requireWhole(const fs::path& folder) {
                     " holds surfaces or trees in pieces for ParaView, as " + quoted(piece) +
                     "; open the project that they are of, or export it again with a larger "
                     "--largest-file");
-}
-
-bool isPiece(const fs::path& file) {
-  const std::string folder = file.parent_path().filename().string();
-  const std::string stem = file.stem().string();
-  const std::size_t before = folder.size() + 1;  // "rul_" of "rul_0"
-  return !folder.empty() && file.extension() == ".vtp" && stem.size() > before &&
-         stem.starts_with(folder + "_") &&
-         std::all_of(stem.begin() + static_cast<std::ptrdiff_t>(before), stem.end(),
-                     [](char c) { return c >= '0' && c <= '9'; });
 }
 
 }  // namespace pneuma

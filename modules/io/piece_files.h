@@ -60,7 +60,4 @@ std::filesystem::path firstPieceIn(const std::filesystem::path& folder);
 /// @throws Unsupported if a folder that is to be read holds something in pieces
 void requireWhole(const std::filesystem::path& folder);
 
-/// True of a file that is named as a piece is: "rul/rul_0.vtp".
-bool isPiece(const std::filesystem::path& file);
-
 }  // namespace pneuma

@@ -47,7 +47,11 @@ bool looksLikeSwc(std::string_view content) {
   return numbers == 7;
 }
 
-bool looksLikeJson(std::string_view content) { return trimmed(content).starts_with('{'); }
+/// Some editors put a mark of the byte order before it.
+bool looksLikeJson(std::string_view content) {
+  if (content.starts_with("\xEF\xBB\xBF")) content.remove_prefix(3);
+  return trimmed(content).starts_with('{');
+}
 
 Reader readerOfContent(const std::string& content) {
   if (looksLikeVtkXml(content)) return readVtkTree;
@@ -82,14 +86,26 @@ bool vtkHoldsLines(std::string_view content) {
          numberIn(tag, "NumberOfStrips") == 0;
 }
 
-/// @throws InvalidInput for a branch that ends nowhere near a person
+double farthestOf(const Vec3& point) { return point.cwiseAbs().maxCoeff(); }
+
+/// @throws InvalidInput for a branch that is nowhere near a person, or wider than anything in one
 void requireNearby(const AirwayTree& tree, const std::string& name) {
   constexpr double FarthestOfTreeMm = 1e6;
+  constexpr double WidestMm = 1e4;
   for (const Branch& branch : tree) {
-    const double far =
-        std::max(branch.proximal.cwiseAbs().maxCoeff(), branch.distal.cwiseAbs().maxCoeff());
-    if (far <= FarthestOfTreeMm) continue;
-    throw InvalidInput(name + " has an airway that ends more than 1 km away; lengths are in mm");
+    double far = std::max(farthestOf(branch.proximal), farthestOf(branch.distal));
+    double widest = branch.radiusMm;
+    for (const auto& [point, radiusMm] : branch.via) {
+      far = std::max(far, farthestOf(point));
+      widest = std::max(widest, radiusMm);
+    }
+    if (far > FarthestOfTreeMm) {
+      throw InvalidInput(name + " has an airway that ends more than 1 km away; lengths are in mm");
+    }
+    if (widest > WidestMm) {
+      throw InvalidInput(name +
+                         " has an airway with a radius of more than 10 m; lengths are in mm");
+    }
   }
 }
 

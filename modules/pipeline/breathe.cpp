@@ -71,16 +71,12 @@ BreathCycle cycleOf(const BreatheOptions& options, double compliance, BreathDriv
   return periodicBreath(mechanics, drive);
 }
 
-Side affectedSide(const BreatheOptions& options) {
-  return options.affected == AffectedLung::Right ? Side::Right : Side::Left;
-}
-
 /// Of each lung in what both take in: by its volume and what it keeps of its compliance.
 std::map<Side, double> sharesOf(const std::map<Side, double>& restMm3,
                                 const std::map<Side, double>& compliance,
                                 const BreatheOptions& options) {
   const BreathScenario& scenario = scenarioOf(options.scenario);
-  const Side affected = affectedSide(options);
+  const Side affected = options.affected == AffectedLung::Right ? Side::Right : Side::Left;
   std::map<Side, double> shares = restMm3;
   double sum = 0.0;
   for (auto& [side, share] : shares) {
@@ -105,11 +101,6 @@ std::vector<Vec3> probesIn(const LungMotion& motion) {
   return probes;
 }
 
-/// The collapse of the affected lung. @pre hasChestWall(options), surfaces
-Collapse collapseTo(const LungModel& model, const BreatheOptions& options) {
-  return collapseOf(model, affectedSide(options), scenarioOf(options.scenario).affectedRest);
-}
-
 /// What a lung takes in when both take in so much.
 double takenMm3(const BreathingLungs& lungs, Side side, double litres) {
   return lungs.share.at(side) * litres * MlPerLitre * Mm3PerMl;
@@ -129,9 +120,10 @@ BreathingLungs breathe(const LungModel& given, const BreatheOptions& options,
   requireOneMotion(options);
   BreathingLungs lungs;
   progress.report(0.02);
+  const Side affected = options.affected == AffectedLung::Right ? Side::Right : Side::Left;
   std::optional<Collapse> collapse;
   if (hasChestWall(options) && given.surfaces) {
-    collapse = collapseTo(given, options);
+    collapse = collapseOf(given, affected, scenarioOf(options.scenario).affectedRest);
     lungs.warnings.push_back(warningOf(*collapse));
   }
   const LungModel model = collapse ? collapsed(given, *collapse) : given;
@@ -226,12 +218,6 @@ double emptiestPhase(const BreathingLungs& lungs) {
 
 bool hasChestWall(const BreatheOptions& options) {
   return scenarioOf(options.scenario).affectedRest != 1.0;
-}
-
-TriangleMesh chestWallOf(const LungModel& model, const BreatheOptions& options) {
-  std::vector<std::string> ignored;
-  const LungModel shrunk = collapsed(model, collapseTo(model, options));
-  return wallsOf(shrunk, ignored, {}).at(affectedSide(options));
 }
 
 double pleuralGapMl(const BreathingLungs& lungs) {

@@ -134,11 +134,6 @@ double emptiestPhase(const BreathingLungs& lungs);
 /// True if breathe() will draw a chest wall around a lung.
 bool hasChestWall(const BreatheOptions& options);
 
-/// A surface with the triangles of the chest wall that breathe() will draw, and as many points.
-/// @pre hasChestWall(options)
-/// @throws InvalidInput as breathe()
-TriangleMesh chestWallOf(const LungModel& model, const BreatheOptions& options);
-
 /// The air between a lung with a pneumothorax and the chest wall, ml. @pre there is a chest wall
 double pleuralGapMl(const BreathingLungs& lungs);
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "core/error.h"
 #include "io/atomic_file.h"
 #include "io/multiblock_file.h"
 #include "io/surface_file.h"
@@ -16,8 +17,8 @@ namespace fs = std::filesystem;
 
 constexpr int SurfacePart = 0;
 constexpr int TreePart = 1;
-constexpr int FirstOtherPiece = ChestWallPart + 1;  ///< the part of a second piece, of anything
 
+constexpr const char* SeriesEnding = ".vtp.series";
 constexpr std::uint64_t DoubleBytes = 8;
 constexpr ArrayBytes FrameArrays{6 * DoubleBytes, 1};  ///< displacement, F, volume_change, strain
 constexpr ArrayBytes ChestWallArrays{3 * DoubleBytes, 0};
@@ -69,7 +70,7 @@ FramePieces framePieces(const BreathingLungs& lungs, std::uint64_t largestFileBy
   return pieces;
 }
 
-/// The same before anything breathes.
+/// The same before anything breathes, as far as it can be told.
 FramePieces framePieces(const LungModel& model, const BreatheOptions& options,
                         std::uint64_t largestFileBytes) {
   TriangleMesh together;
@@ -79,12 +80,7 @@ FramePieces framePieces(const LungModel& model, const BreatheOptions& options,
   FramePieces pieces;
   pieces.surfaces = pieceEnds(together, largestFileBytes, FrameArrays);
   if (const auto tree = treeOf(model)) pieces.tree = pieceEnds(*tree, largestFileBytes);
-  if (!hasChestWall(options)) return pieces;
-  // Joining lobes takes as long as half of a breath; a wall is smaller than both lungs' lobes.
-  pieces.chestWall = {1};
-  if (pieces.surfaces.size() > 1) {
-    pieces.chestWall = pieceEnds(chestWallOf(model, options), largestFileBytes, ChestWallArrays);
-  }
+  if (hasChestWall(options)) pieces.chestWall = {0};  // one file: it is not there yet
   return pieces;
 }
 
@@ -168,36 +164,75 @@ std::string csvOf(const BreathingLungs& lungs) {
   return text;
 }
 
-/// The files of a frame, as the collection names them.
-std::vector<TimedFile> filesOf(const fs::path& pvd, int frame, double seconds,
-                               const FramePieces& pieces) {
-  std::vector<TimedFile> files;
-  int other = FirstOtherPiece;
-  const auto add = [&](const fs::path& whole, int part, const std::vector<std::size_t>& ends) {
-    if (ends.empty()) return;
-    for (const fs::path& file : pieceFiles(whole, ends.size())) {
-      files.push_back({seconds, part, file});
-      part = other++;
+/// Something of a frame, in a file or in pieces.
+struct FrameThing {
+  int part = 0;  ///< in the collection
+  std::string name;
+  fs::path whole;
+  const std::vector<std::size_t>* ends = nullptr;
+
+  bool divided() const { return ends->size() > 1; }
+
+  std::vector<fs::path> files() const { return pieceFiles(whole, ends->size()); }
+
+  /// What the collection names: the file, or a .vtm of the pieces.
+  fs::path named() const { return divided() ? fs::path(whole).replace_extension(".vtm") : whole; }
+};
+
+/// @param pieces must outlive what is returned
+std::vector<FrameThing> thingsOf(const fs::path& pvd, int frame, const FramePieces& pieces) {
+  std::vector<FrameThing> things = {
+      {SurfacePart, "lungs", surfaceFile(pvd, frame), &pieces.surfaces},
+      {TreePart, "airways", treeFile(pvd, frame), &pieces.tree},
+      {ChestWallPart, "chest wall", chestWallFile(pvd, frame), &pieces.chestWall}};
+  std::erase_if(things, [](const FrameThing& thing) { return thing.ends->empty(); });
+  return things;
+}
+
+std::vector<fs::path> outputsOf(const fs::path& pvd, int frames, const FramePieces& pieces) {
+  std::vector<fs::path> files = {pvd.filename(), besides(pvd, ".csv"), besides(pvd, ".json")};
+  if (pieces.surfaces.size() == 1) files.push_back(besides(pvd, SeriesEnding));
+  for (int n = 0; n < frames; ++n) {
+    for (const FrameThing& thing : thingsOf(pvd, n, pieces)) {
+      if (thing.divided()) files.push_back(thing.named());
+      for (const fs::path& file : thing.files()) files.push_back(file);
     }
-    --other;
-  };
-  add(surfaceFile(pvd, frame), SurfacePart, pieces.surfaces);
-  add(treeFile(pvd, frame), TreePart, pieces.tree);
-  add(chestWallFile(pvd, frame), ChestWallPart, pieces.chestWall);
+  }
   return files;
+}
+
+void writeThing(const fs::path& folder, const FrameThing& thing, const BreathingLungs& lungs,
+                const BreathFrame& frame) {
+  const fs::path file = folder / thing.whole;
+  if (thing.part == SurfacePart) writeFrame(file, lungs, frame, *thing.ends);
+  if (thing.part == TreePart) writeTreePieces(file, treeAt(lungs, frame), {}, *thing.ends);
+  if (thing.part == ChestWallPart) writeChestWall(file, *lungs.chestWall, frame, *thing.ends);
+  if (thing.divided()) writeMultiblock(folder / thing.named(), {{thing.name, thing.files()}});
 }
 
 }  // namespace
 
 std::vector<fs::path> breathOutputs(const fs::path& pvd, const LungModel& model,
                                     const BreatheOptions& options, std::uint64_t largestFileBytes) {
-  const FramePieces pieces = framePieces(model, options, largestFileBytes);
-  std::vector<fs::path> files = {pvd.filename(), besides(pvd, ".csv"), besides(pvd, ".json")};
-  if (pieces.surfaces.size() == 1) files.push_back(besides(pvd, ".vtp.series"));
-  for (int n = 0; n < options.frames; ++n) {
-    for (const TimedFile& file : filesOf(pvd, n, 0.0, pieces)) files.push_back(file.file);
+  return outputsOf(pvd, options.frames, framePieces(model, options, largestFileBytes));
+}
+
+std::vector<fs::path> breathOutputs(const fs::path& pvd, const BreathingLungs& lungs,
+                                    std::uint64_t largestFileBytes) {
+  return outputsOf(pvd, static_cast<int>(lungs.frames.size()),
+                   framePieces(lungs, largestFileBytes));
+}
+
+void requireNoOtherSeries(const fs::path& pvd, const std::vector<fs::path>& outputs) {
+  const fs::path series = besides(pvd, SeriesEnding);
+  std::error_code error;
+  if (std::ranges::find(outputs, series) != outputs.end() ||
+      !fs::exists(pvd.parent_path() / series, error)) {
+    return;
   }
-  return files;
+  throw OutputFailed("'" + (pvd.parent_path() / series).string() +
+                     "' would stand beside this breath, which is in pieces, and open another; "
+                     "remove it, or choose another name");
 }
 
 void writeBreath(const fs::path& pvd, const BreathingLungs& lungs, const Json& report,
@@ -206,18 +241,16 @@ void writeBreath(const fs::path& pvd, const BreathingLungs& lungs, const Json& r
   const FramePieces pieces = framePieces(lungs, largestFileBytes);
   std::vector<TimedFile> files;
   const auto add = [&](int n, double seconds) {
-    const std::vector<TimedFile> more = filesOf(pvd, n, seconds, pieces);
-    files.insert(files.end(), more.begin(), more.end());
+    for (const FrameThing& thing : thingsOf(pvd, n, pieces)) {
+      files.push_back({seconds, thing.part, thing.named()});
+    }
   };
   const auto count = static_cast<int>(lungs.frames.size());
   for (int n = 0; n < count; ++n) {
     const BreathFrame& frame = lungs.frames[static_cast<std::size_t>(n)];
-    writeFrame(folder / surfaceFile(pvd, n), lungs, frame, pieces.surfaces);
-    if (lungs.tree) {
-      writeTreePieces(folder / treeFile(pvd, n), treeAt(lungs, frame), {}, pieces.tree);
-    }
-    if (lungs.chestWall) {
-      writeChestWall(folder / chestWallFile(pvd, n), *lungs.chestWall, frame, pieces.chestWall);
+    for (const FrameThing& thing : thingsOf(pvd, n, pieces)) {
+      progress.throwIfStopped();
+      writeThing(folder, thing, lungs, frame);
     }
     add(n, frame.phase * lungs.drive.period);
     progress.report(static_cast<double>(n + 1) / count);
@@ -227,7 +260,7 @@ void writeBreath(const fs::path& pvd, const BreathingLungs& lungs, const Json& r
   writeFile(folder / besides(pvd, ".json"),
             report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
   if (pieces.surfaces.size() == 1) {
-    writeFileSeries(folder / besides(pvd, ".vtp.series"), files, SurfacePart);
+    writeFileSeries(folder / besides(pvd, SeriesEnding), files, SurfacePart);
   }
   writeTimeCollection(pvd, files);
 }

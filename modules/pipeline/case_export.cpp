@@ -287,6 +287,11 @@ void writePreset(const fs::path& folder, ExportPreset preset, const ProjectState
     case ExportPreset::Paraview: {
       const std::vector<Block> blocks = blocksOf(state, format.largestFileBytes);
       requireNoOtherPieces(folder, blocks);
+      if (breathes(state)) {
+        requireNoOtherSeries(
+            folder / BreathFile,
+            breathOutputs(BreathFile, state.model, *state.breath, format.largestFileBytes));
+      }
       writeForParaview(staged.path(), state, blocks, breath, format.largestFileBytes, progress);
       break;
     }

@@ -81,6 +81,16 @@ refuses "an empty tree to export" 4 "empty.swc" export empty.swc -o out.swc
 printf '1 0 0 0 0 9 -1\n2 0 0 0 -90 9 1\n3 0 1e18 0 -120 5 2\n4 0 -30 0 -120 5 2\n' >far.swc
 refuses "airways that end behind the sun" 4 "far.swc.*more than 1 km away" grow ball.obj --central far.swc -o far.vtp
 
+sed 's/1e18/30/; s/ 5 2$/ 1e300 2/' far.swc >wide.swc
+refuses "airways as wide as the sky" 4 "wide.swc.*radius of more than 10 m" grow ball.obj --central wide.swc -o far.vtp
+succeeds "a tree" grow ball.obj --terminals 20 -o small.json -q
+{ printf '\xEF\xBB\xBF' && cat small.json; } >marked.json
+succeeds "a tree that begins with a mark of the byte order" export marked.json -o marked.swc -q
+
+# A sentence that comes from deep within says of which file it is.
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n' >right.obj
+refuses "a lung of a millimetre" 4 "^pneuma: 'right.obj': the lungs are 1.0* mm long" breathe right.obj -o none.pvd
+
 # Places nowhere near a person.
 printf 'Region,Type,X,Y,Z\nRIGHTLUNG,OBLIQUEFISSURE,-70,0,1e300\n' >far.csv
 refuses "a fissure farther than the moon" 4 "far.csv.*more than 10,000 km away" lobes lungs --fissures far.csv -o nowhere

@@ -32,20 +32,32 @@ prints 'branches'
 # Frames in pieces, with the chest wall of a pneumothorax.
 mkdir pieces
 succeeds "frames in pieces" breathe parts tree.vtp -o pieces/air.pvd --frames 2 --scenario pneumothorax --largest-file 100K -q
-named=$(grep -o 'file="[^"]*"' pieces/air.pvd | cut -d'"' -f2 | sort -u)
+named=$(cd pieces && grep -ho 'file="[^"]*"' $(grep -o 'file="[^"]*"' air.pvd | cut -d'"' -f2) | cut -d'"' -f2 | sort -u)
 for thing in air air_tree air_chest_wall; do
   for file in "${thing}_0000/${thing}_0000_0.vtp" "${thing}_0001/${thing}_0001_1.vtp"; do
     expect "$file is not named" grep -qx "$file" <<<"$named"
   done
 done
-expect "the collection names others than there are" test "$named" = "$(cd pieces && find . -name '*.vtp' | cut -c3- | sort)"
+expect "a part is no .vtm, or not alone at its moment" test \
+  "$(grep -o 'timestep="0" group="" part="[0-2]" file="[a-z_]*_0000.vtm"' pieces/air.pvd | cut -d'"' -f6 | tr -d '\n')" = 012
+expect "others are named than there are" test "$named" = "$(cd pieces && find . -name '*.vtp' | cut -c3- | sort)"
 expect "larger files: $(find pieces -name '*.vtp' -size +100k)" test -z "$(find pieces -name '*.vtp' -size +100k)"
-expect "two files of one moment are one part" test -z \
-  "$(grep -o 'timestep="0" .* part="[0-9]*"' pieces/air.pvd | sort | uniq -d)"
 expect "a series of pieces" test ! -e pieces/air.vtp.series
+refuses "a whole frame's chest wall over pieces" 6 "exists already" \
+  breathe parts -o pieces/air.pvd --frames 2 --scenario pneumothorax
 rm pieces/air.{pvd,csv,json}
-refuses "pieces over others" 6 "air_0000_0.vtp' exists already; add --force" \
+refuses "pieces over others" 6 "air_0000.vtm' exists already; add --force" \
   breathe parts tree.vtp -o pieces/air.pvd --frames 2 --scenario pneumothorax --largest-file 100K
+succeeds "pieces over others, by force" breathe parts tree.vtp -o pieces/air.pvd --frames 2 --scenario pneumothorax --largest-file 100K -q -f
+expect "something was left: $(find pieces -name '.*')" test -z "$(find pieces -name '.*')"
+refuses "pieces beside a series of what is whole" 6 "breath.vtp.series' would stand beside this breath" \
+  breathe parts -o breath.pvd --frames 2 --largest-file 100K -f
+# A chest wall larger than what it is around: it is drawn anew, and these lobes share no triangles.
+succeeds "coarse lobes" sample coarse --cell 6mm -q
+mkdir few wall && cp coarse/*.stl few
+succeeds "a chest wall in pieces alone" breathe few -o wall/air.pvd --frames 2 --scenario pneumothorax --largest-file 2500K -q
+expect "the frame is in pieces, or the chest wall is not" \
+  test -s wall/air_0000.vtp -a -s wall/air_chest_wall_0001.vtm -a -s wall/air_chest_wall_0001/air_chest_wall_0001_1.vtp
 refuses "pieces of nothing" 2 'largest-file is 64K or more' breathe parts -o other.pvd --largest-file 1K
 
 # An egg of a right lung's size, in rings of points from pole to pole.

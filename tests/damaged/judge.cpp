@@ -136,6 +136,8 @@ Verdict judge(const Bench& bench, const DamagedFile& file, const Command& comman
   std::vector<std::string> names = {file.name, onOneLine(file.name)};
   if (command.arguments.find("--landmarks") != std::string::npos)
     names.insert(names.end(), {"landmark ", "landmarks "});
+  if (command.arguments.find("--central") != std::string::npos)
+    names.push_back("central airways");  // their place speaks of both, airways and lobes
   if (file.format == "nrrd-header" || file.format == "mhd") names.push_back("ct.raw");
   if (file.role == "breath-table") names.push_back("the lung cannot be brought to");
   if (file.role == "fissures" || file.role == "planes") {

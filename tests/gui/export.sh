@@ -46,6 +46,10 @@ for preset in paraview print tree; do
   copied $preset
   diff -r -I peak_memory_mb "$FOLDER/window/$preset" $preset || fail "$preset differs"
 done
+"$PNEUMA" export "$FOLDER/case.pneuma" --preset paraview --largest-file 100K -o pieces | sort >told || fail "no pieces"
+find pieces -type f | sort | cmp - told || fail "other files are told than there are"
+grep -q '^pieces/breath_tree_0002.vtm$\|^pieces/breath_0002/breath_0002_1.vtp$' told || fail "frames are whole"
+[ -z "$(find pieces -name '*.vtp' -size +100k)" ] || fail "there are larger files"
 copied share
 cmp "$FOLDER/window/share/breath.glb" share/breath.glb || fail "the copied command moves otherwise"
 [ "$(head -c 4 share/breath.glb)" = glTF ] || fail "the animation is no glTF"

@@ -173,15 +173,6 @@ TEST(PieceFiles, OfASurfaceKeepItsArrays) {
   EXPECT_EQ(i, mesh.triangles.size());
 }
 
-TEST(PieceFiles, AreToldByTheirNames) {
-  EXPECT_TRUE(isPiece("a/rul/rul_0.vtp"));
-  EXPECT_TRUE(isPiece(pieceFiles("breath_tree_0003.vtp", 12)[11]));
-  for (const char* other : {"rul.vtp", "rul_0.vtp", "a/rul_0.vtp", "rul/rul.vtp", "rul/rul_.vtp",
-                            "rul/rul_0a.vtp", "rul/rul_0.stl", "rul/rul_0_0.vtp", ""}) {
-    EXPECT_FALSE(isPiece(other)) << other;
-  }
-}
-
 TEST(PieceFiles, OfATreeKeepItsBranchesAndColumns) {
   const TempFolder folder;
   const AirwayTree tree = chain(2000);
