@@ -61,6 +61,8 @@ pneuma::ExitCode ended(const std::vector<std::string>& arguments) {
     return pneuma::cli::runCommandLine(arguments);
   } catch (const pneuma::InvalidInput& error) {
     throw pneuma::InvalidInput(placeOf(arguments, error.what()) + error.what());
+  } catch (const pneuma::Unsupported& error) {
+    throw pneuma::Unsupported(placeOf(arguments, error.what()) + error.what());
   }
 }
 

@@ -68,6 +68,8 @@ Source sourceOf(const fs::path& path, const Progress& progress) {
     Unzipped archive = unzipped(path, progress);
     source.folder = std::move(archive.folder);
     source.files = std::move(archive.files);
+  } else if (!fs::is_regular_file(path, error)) {
+    throw InputMissing(quoted(path) + " is a device or a pipe; name a file");
   } else {
     const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
     addFiles(source, folder, 0, progress);

@@ -82,6 +82,9 @@ succeeds "info of a folder with a link to itself" info mixed
 succeeds "import of anonymized files" import clean -o clean.nrrd
 expect "the pixels changed" cmp ct.nrrd clean.nrrd
 
+mkfifo gap/pipe.dcm
+refuses "a pipe among slices, by its name" 3 "pipe.dcm. is a device or a pipe" import gap/pipe.dcm -o x.nrrd --fill-gaps
+rm gap/pipe.dcm
 refuses "a gap" 4 '2 slices are missing between S 118 mm and S 127 mm.*--fill-gaps' import gap -o x.nrrd
 refuses "another modality" 5 'modality is MR' import mr -o x.nrrd
 refuses "info of another modality" 5 'modality is MR' info mr

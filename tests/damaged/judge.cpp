@@ -138,6 +138,9 @@ Verdict judge(const Bench& bench, const DamagedFile& file, const Command& comman
     names.insert(names.end(), {"landmark ", "landmarks "});
   if (command.arguments.find("--central") != std::string::npos)
     names.push_back("central airways");  // their place speaks of both, airways and lobes
+  if (command.arguments.find("--voxels-of") != std::string::npos)
+    names.push_back("outside of the scan");  // its landmarks are named
+  if (file.format.rfind("dicom", 0) == 0) names.push_back("series 1 ");
   if (file.format == "nrrd-header" || file.format == "mhd") names.push_back("ct.raw");
   if (file.role == "breath-table") names.push_back("the lung cannot be brought to");
   if (file.role == "fissures" || file.role == "planes") {
