@@ -41,6 +41,7 @@ LungModel opened(const RegionArguments& arguments, const Progress& progress) {
   LungModel model = openLobes(arguments.domain, progress);
   auto regions = std::make_shared<std::vector<LobeRegion>>();
   for (const LobeSurface& surface : *model.surfaces) {
+    requireOrganSize(surface);
     if (!surface.health.fitToGrow()) {
       throw InvalidInput("'" + surface.name +
                          "' is not fit to measure in: " + complaints(surface.health).front());

@@ -34,10 +34,9 @@ void requireUsable(std::span<const LandmarkPair> landmarks, const StrainedLungs&
       throw InvalidInput(which + " lies in no lung that is known; say which lung it is in");
     }
     if (lung->second.strain == 0.0) {
-      throw InvalidInput(
-          "the " + std::string(name(pair.side)) +
-          " lung keeps its volume between both states of its landmarks; a motion cannot be "
-          "fitted to that. Are its surface and the gain in the same units?");
+      throw InvalidInput("the " + std::string(name(pair.side)) +
+                         " lung keeps its volume while its landmarks move; a motion cannot be "
+                         "fitted to that. Are its surface and the gain in the same units?");
     }
   }
 }

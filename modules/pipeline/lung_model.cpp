@@ -99,6 +99,18 @@ std::vector<Lobe> lobesOf(const std::vector<fs::path>& files) {
   return lobes;
 }
 
+}  // namespace
+
+void requireOrganSize(const LobeSurface& surface) {
+  constexpr double LargestMm = 1e4;
+  const double size = surface.health.box.sizes().maxCoeff();
+  if (size <= LargestMm) return;
+  throw InvalidInput("'" + surface.name + "' is " + fixed(size / 1000.0, 0) +
+                     " m large, if it is in mm; scale it to millimetres");
+}
+
+namespace {
+
 /// @throws InvalidInput if a surface is not fit to grow in
 void requireFit(const LobeSurface& surface) {
   const MeshReport& health = surface.health;
@@ -107,6 +119,7 @@ void requireFit(const LobeSurface& surface) {
                        " mm large: it seems to be in metres; convert it with 'pneuma export "
                        "--from-units m'");
   }
+  requireOrganSize(surface);
   if (health.fitToGrow()) return;
   const std::vector<std::string> wrong = complaints(health);
   throw InvalidInput("'" + surface.name + "' is not fit to grow in: " +

@@ -86,6 +86,9 @@ struct LungModel {
 /// The tree to show or to measure: grown, else opened, else central; null if there is none.
 std::shared_ptr<const AirwayTree> treeOf(const LungModel& model);
 
+/// @throws InvalidInput if an examined surface is larger than 10 m: then it is in other units
+void requireOrganSize(const LobeSurface& surface);
+
 /// Reads lobe surfaces: files, or folders with files whose names carry rul, rml, rll, lul, lll; or
 /// one surface of any name. Every surface is examined. Or a project alone.
 /// @throws InputMissing, InvalidInput (two files for one lobe, a surface not fit to grow in, units)

@@ -46,4 +46,8 @@ done
 refuses "repair of a surface of no volume" 4 "flat|volume" repair flat.obj -o flat.stl
 succeeds "metres become millimetres" export metres.obj --from-units m -o millimetres.stl
 succeeds "and can be grown in" grow millimetres.stl --method centroid --points 2000 -o tree.vtp
+awk '$1 == "v" { print "v", 1000 * $2, 1000 * $3, 1000 * $4; next } { print }' ball.obj >microns.obj
+refuses "a lung in micrometres to grow in" 4 "'microns.obj' is 120 m large, if it is in mm; scale it" grow microns.obj -o none.vtp
+succeeds "a tree" grow ball.obj --terminals 20 -o small.vtp -q
+refuses "a lung in micrometres to measure in" 4 "'microns.obj' is 120 m large" measure small.vtp --domain microns.obj
 finish

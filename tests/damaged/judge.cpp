@@ -142,6 +142,7 @@ Verdict judge(const Bench& bench, const DamagedFile& file, const Command& comman
     names.push_back("outside of the scan");  // its landmarks are named
   if (file.format.rfind("dicom", 0) == 0) names.push_back("series 1 ");
   if (file.format == "nrrd-header" || file.format == "mhd") names.push_back("ct.raw");
+  if (file.role == "recipe") names.push_back("ct.nii");  // which it names
   if (file.role == "breath-table") names.push_back("the lung cannot be brought to");
   if (file.role == "fissures" || file.role == "planes") {
     names.insert(names.end(),
