@@ -57,7 +57,9 @@ void drawBreath(const BreathingLungs& lungs, std::span<const BreathFrame> frames
   for (std::size_t n = 0; n < frames.size(); ++n) {
     progress.report(static_cast<double>(n) / static_cast<double>(frames.size()));
     scene.setBreath(breathScale(frames[n]));
-    take(static_cast<int>(n), view.draw());
+    const Picture picture = view.draw();
+    progress.throwIfStopped();
+    take(static_cast<int>(n), picture);
   }
 }
 

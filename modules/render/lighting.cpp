@@ -59,7 +59,7 @@ vtkSmartPointer<vtkRenderPass> addPasses(vtkRenderer* renderer) {
 
 void setSmooth(vtkRenderer* renderer, vtkRenderPass* passes, bool smooth) {
   auto* smoothing = vtkOpenGLFXAAPass::SafeDownCast(passes);
-  renderer->SetPass(smooth ? passes : smoothing->GetDelegatePass());
+  renderer->SetPass(smooth || smoothing == nullptr ? passes : smoothing->GetDelegatePass());
 }
 
 void setBackground(vtkRenderer* renderer, Background background) {

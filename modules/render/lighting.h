@@ -17,7 +17,8 @@ void addLights(vtkRenderer* renderer);
 /// Plain alpha of culled surfaces is clearer and much faster than depth peeling.
 vtkSmartPointer<vtkRenderPass> addPasses(vtkRenderer* renderer);
 
-/// Smooths edges or, to be fast, does not. @param passes of addPasses()
+/// Smooths edges or, to be fast, does not.
+/// @param passes of addPasses(); those that smooth no edges stay as they are
 void setSmooth(vtkRenderer* renderer, vtkRenderPass* passes, bool smooth);
 
 void setBackground(vtkRenderer* renderer, Background background);

@@ -15,6 +15,7 @@
 #include "render/camera.h"
 #include "render/display.h"
 #include "render/head_view.h"
+#include "render/lighting.h"
 #include "render/picture.h"
 #include "render/steady_view.h"
 #include "render/stereo.h"
@@ -32,7 +33,7 @@ constexpr double NearestFocusMm = 50.0;
 // then show as what they are, a faint line, and not as a row of dots.
 constexpr int LargestSupersampled = 2'100'000;
 
-/// Gives the scene back to the window that had it.
+/// Gives the scene back to the window that had it, with new passes.
 class Visit {
  public:
   Visit(Scene& scene, vtkRenderWindow* window)
@@ -89,6 +90,9 @@ class Offscreen {
     window_->SetDPI(LogicalDpi * factor_);
     window_->SetSize(width * factor_, height * factor_);
     visit_.emplace(scene, window_);
+    // Averaged pictures have smooth edges already; without a graphics card that pass costs as much
+    // as all the rest.
+    if (factor_ > 1) setSmooth(scene.renderer(), scene.renderer()->GetPass(), false);
     scene.updateAnnotations();
   }
 
