@@ -1,6 +1,8 @@
 #include "render/convert.h"
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 #include <vector>
 
 #include <vtkCellArray.h>
@@ -57,6 +59,22 @@ std::vector<float> flattened(const std::vector<Vec3>& vectors) {
   return result;
 }
 
+/// The triangles without those that are there before, with the same corners in the same order. Told
+/// apart only where there are far more than the two for each point that a surface has: damaged
+/// files hold thousands of copies of a triangle, and every veil of it is drawn.
+std::vector<std::array<std::uint32_t, 3>> drawnTriangles(const TriangleMesh& mesh) {
+  constexpr std::size_t MostPerPoint = 6;
+  if (mesh.triangles.size() / MostPerPoint <= mesh.points.size()) return mesh.triangles;
+  std::vector<std::array<std::uint32_t, 3>> drawn = mesh.triangles;
+  for (auto& triangle : drawn) {
+    std::rotate(triangle.begin(), std::min_element(triangle.begin(), triangle.end()),
+                triangle.end());
+  }
+  std::sort(drawn.begin(), drawn.end());
+  drawn.erase(std::unique(drawn.begin(), drawn.end()), drawn.end());
+  return drawn;
+}
+
 }  // namespace
 
 std::vector<Vec3> areaVectors(const TriangleMesh& mesh) {
@@ -71,8 +89,9 @@ std::vector<Vec3> areaVectors(const TriangleMesh& mesh) {
 vtkSmartPointer<vtkPolyData> polyDataOf(const TriangleMesh& mesh) {
   auto data = vtkSmartPointer<vtkPolyData>::New();
   std::vector<std::int32_t> indices;
-  indices.reserve(mesh.triangles.size() * 3);
-  for (const auto& triangle : mesh.triangles) {
+  const auto triangles = drawnTriangles(mesh);
+  indices.reserve(triangles.size() * 3);
+  for (const auto& triangle : triangles) {
     for (const std::uint32_t corner : triangle) {
       indices.push_back(static_cast<std::int32_t>(corner));
     }

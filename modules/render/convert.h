@@ -15,7 +15,8 @@ namespace pneuma {
 /// not of length 1.
 std::vector<Vec3> areaVectors(const TriangleMesh& mesh);
 
-/// A surface with smooth normals, weighted by the area of the triangles around each point.
+/// A surface with smooth normals, weighted by the area of the triangles around each point. Where
+/// there are far more triangles than points, copies of a triangle are left out.
 vtkSmartPointer<vtkPolyData> polyDataOf(const TriangleMesh& mesh);
 
 vtkSmartPointer<vtkPolyData> polyDataOf(const TubeMesh& mesh);

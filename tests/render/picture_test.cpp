@@ -3,6 +3,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -10,6 +11,7 @@
 #include <unistd.h>
 
 #include "core/error.h"
+#include "core/triangle_mesh.h"
 #include "render/generated_lungs.h"
 #include "render/small_picture.h"
 
@@ -253,6 +255,21 @@ TEST(RenderPicture, DrawsTheSceneFilledAndUncut) {
     EXPECT_LT(bottom, height - 1);
     EXPECT_TRUE(right - left > 0.88 * width || bottom - top > 0.88 * height);
   }
+}
+
+TEST(RenderPicture, DrawsCopiesOfATriangleOnce) {
+  TriangleMesh flap{{{0, 0, 0}, {50, 0, 10}, {0, 0, 60}, {-40, 10, 5}}, {{0, 1, 2}, {0, 2, 3}}};
+  const auto drawn = [&] {
+    Scene scene;
+    scene.setSurfaces({{Lobe::Whole, std::make_shared<const TriangleMesh>(flap)}});
+    return renderPicture(scene, 80, 60).rgb;
+  };
+  const auto once = drawn();
+  for (int copy = 0; copy < 30; ++copy) {
+    flap.triangles.push_back({1, 2, 0});
+    flap.triangles.push_back({0, 2, 3});
+  }
+  EXPECT_EQ(drawn(), once);
 }
 
 }  // namespace
