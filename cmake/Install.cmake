@@ -18,6 +18,7 @@ install(DIRECTORY "${PROJECT_SOURCE_DIR}/resources/airways" "${PROJECT_SOURCE_DI
         DESTINATION "${CMAKE_INSTALL_DATADIR}/pneuma")
 install(FILES LICENSE README.md CITATION.cff SECURITY.md packaging/linux/copyright DESTINATION "${CMAKE_INSTALL_DOCDIR}")
 install(DIRECTORY docs DESTINATION "${CMAKE_INSTALL_DOCDIR}")
+install(PROGRAMS packaging/demo.sh DESTINATION "${CMAKE_INSTALL_DOCDIR}/examples")
 if(PNEUMA_BUILD_GUI)
   install(FILES packaging/linux/org.pneuma.Pneuma.desktop
           DESTINATION "${CMAKE_INSTALL_DATADIR}/applications")

@@ -4,25 +4,38 @@
 # breathe, goes from the chest's CT to a tree by one command, and grows the thorax of Kitaoka 1999.
 #   packaging/demo.sh [OUTDIR]        (default: demo-output)
 # Where ../shared/data/lobes_airways_chaste stands beside the project, the same is done in the lobes
-# and airways of a real person.
+# and airways of a real person. PNEUMA=pneuma takes a program that is installed, and installs and
+# builds nothing, as this script does where a package put it.
 set -euo pipefail
-out=${1:-demo-output}
-mkdir -p "$out"
-out=$(cd "$out" && pwd)
+out=$(realpath -m "${1:-demo-output}")
+[[ ${PNEUMA:-} != */* ]] || PNEUMA=$(realpath "$PNEUMA")
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 step() { printf '\n== %s\n' "$1"; }
 
-step "Dependencies"
-packaging/install-dependencies.sh
+if [[ -n ${PNEUMA:-} || ! -e CMakeLists.txt ]]; then
+  pneuma=${PNEUMA:-pneuma}
+  for needed in "$pneuma" xvfb-run; do
+    if ! command -v "$needed" >/dev/null; then
+      echo "demo.sh: there is no program '$needed'; install the packages pneuma, xvfb and xauth" >&2
+      exit 3
+    fi
+  done
+  "$pneuma" version
+else
+  step "Dependencies"
+  packaging/install-dependencies.sh
 
-step "Build"
-if [[ -z ${CMAKE_CXX_COMPILER_LAUNCHER:-} ]] && command -v ccache >/dev/null; then
-  export CMAKE_CXX_COMPILER_LAUNCHER=ccache
+  step "Build"
+  if [[ -z ${CMAKE_CXX_COMPILER_LAUNCHER:-} ]] && command -v ccache >/dev/null; then
+    export CMAKE_CXX_COMPILER_LAUNCHER=ccache
+  fi
+  cmake --preset release --log-level=WARNING
+  cmake --build --preset release --target pneuma_cli
+  pneuma=$PWD/build/release/app/cli/pneuma
 fi
-cmake --preset release --log-level=WARNING
-cmake --build --preset release --target pneuma_cli
-pneuma=$PWD/build/release/app/cli/pneuma
+
+mkdir -p "$out"
 
 # draw PICTURE INPUT... OPTIONS...
 draw() {

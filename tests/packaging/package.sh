@@ -15,7 +15,7 @@ for root in "Lungenflügel hier/usr" archive; do
     share/thumbnailers/org.pneuma.Pneuma.thumbnailer \
     share/icons/hicolor/scalable/apps/org.pneuma.Pneuma.svg share/icons/hicolor/symbolic/apps/org.pneuma.Pneuma-symbolic.svg share/man/man1/pneuma.1.gz share/man/man1/pneuma-desktop.1.gz \
     share/bash-completion/completions/pneuma share/zsh/vendor-completions/_pneuma \
-    share/fish/vendor_completions.d/pneuma.fish share/doc/pneuma/copyright share/doc/pneuma/LICENSE share/doc/pneuma/docs/guide/cohort.md share/doc/pneuma/sbom.spdx.json share/pneuma/schemas/recipe.schema.json; do
+    share/fish/vendor_completions.d/pneuma.fish share/doc/pneuma/copyright share/doc/pneuma/LICENSE share/doc/pneuma/docs/guide/cohort.md share/doc/pneuma/examples/demo.sh share/doc/pneuma/sbom.spdx.json share/pneuma/schemas/recipe.schema.json; do
     [ -s "$root/$file" ] || fail "$root lacks $file"
   done
   for size in 16 22 24 32 48 64 128 256 512; do
