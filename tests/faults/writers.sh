@@ -85,7 +85,10 @@ files)
   writer "outline .swc" outline --particles 300 -o out/outline.swc -f -q
   writer "measure" measure in/tree.swc -o out/measures.json -f -q
   writer "study" study in/ball.obj "${quick[@]}" --seeds 2 -o out/study.csv -f -q
+  keeps=" ./config.yaml ./profiles/local/config.yaml ./profiles/slurm/config.yaml " # which people change
+  varies=" ./profiles/local/config.yaml " # tells what memory is free
   writer "cohort" cohort init out --cases in/chest --recipe in/recipe.json -f -q
+  keeps='' varies=''
   writer "compare" compare in/tree.swc in/other.swc -o out/table.txt -f -q
   writer "estimate" estimate --landmarks in/landmarks.csv -o out/constants.json -f -q
   writer "repair .stl" repair in/ball.obj -o out/ball.stl -f -q
