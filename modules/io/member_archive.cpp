@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <exception>
+#include <new>
 #include <set>
 #include <utility>
 
@@ -105,6 +107,7 @@ class ZipWriter {
   void require(int result) const {
     if (sink_.thrown) std::rethrow_exception(sink_.thrown);
     if (result == ARCHIVE_OK || result == ARCHIVE_WARN) return;
+    if (archive_errno(handle_.get()) == ENOMEM) throw std::bad_alloc();
     const char* reason = archive_error_string(handle_.get());
     throw Error(ExitCode::Internal,
                 std::string("the archive cannot be made: ") + (reason == nullptr ? "" : reason));

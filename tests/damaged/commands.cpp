@@ -80,6 +80,7 @@ const std::vector<Command>& commands() {
       {"project", "breathe FILE --frames 2 -o breath.pvd", "breath.pvd"},
       {"project", "measure SEEDS/tree/t.vtp --domain FILE", "-"},
       {"project", "render FILE --size 160x120 -o picture.png", "picture.png", true},
+      {"pictured", "thumbnail FILE -o picture.png", "picture.png"},
 
       {"fissures", "lobes SEEDS/lungs --fissures FILE --spacing 5 -o split", "split/lobes.json"},
       {"planes", "lobes SEEDS/lungs --planes FILE --spacing 5 -o split", "split/lobes.json"},

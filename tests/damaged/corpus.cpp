@@ -43,6 +43,7 @@ constexpr Seed Seeds[] = {
     {"dicom", "dicom", "chest/dicom/slice-0011.dcm", ".dcm", "chest/dicom"},
     {"dicom-zip", "zip", "", ".zip"},
     {"project", "project", "case.pneuma", ".pneuma"},
+    {"pictured-project", "pictured", "picture.png", ".pneuma"},
     {"fissures-json", "fissures", "fissures/f.json", ".json"},
     {"planes", "planes", "fissures/planes.json", ".json"},
     {"markups", "fissures", "fissures/f.mrk.json", ".mrk.json"},
@@ -68,6 +69,13 @@ Bytes zipOfSlices(const fs::path& series) {
   for (const fs::path& slice : slices) {
     members.push_back({"series/" + slice.filename().string(), contentOf(slice)});
   }
+  return zip(members);
+}
+
+/// As the window saves one: with a picture, first, as that is what file managers want.
+Bytes pictured(const Bytes& project, const Bytes& picture) {
+  std::vector<Member> members = unzip(project);
+  members.insert(members.begin(), {"thumbnail.png", picture});
   return zip(members);
 }
 
@@ -101,7 +109,7 @@ void damage(Corpus& corpus, const Format& format, const fs::path& seeds) {
     if (extension == end && format.role == "ct") damageHeaderLines(corpus, format);
   }
   if (name == "dicom") damageDicom(corpus, format, seeds / "chest/dicom");
-  if (name == "dicom-zip" || name == "project") damageZip(corpus, format);
+  if (extension == ".zip" || extension == ".pneuma") damageZip(corpus, format);
   if (name == "project") damageProject(corpus, format);
 }
 
@@ -115,10 +123,14 @@ Corpus corpusOf(const fs::path& seeds) {
       format.sound = std::make_shared<const Bytes>(zipOfSlices(seeds / "chest/dicom"));
     } else if (fs::exists(seeds / seed.file)) {
       format.sound = std::make_shared<const Bytes>(contentOf(seeds / seed.file));
-    } else if (format.role == "reference") {
+    } else if (format.role == "reference" || format.role == "pictured") {
       continue;  // no display, no picture
     } else {
       throw std::runtime_error("there is no seed " + (seeds / seed.file).string());
+    }
+    if (format.role == "pictured") {
+      format.sound =
+          std::make_shared<const Bytes>(pictured(contentOf(seeds / "case.pneuma"), *format.sound));
     }
     if (*seed.beside != '\0') format.beside = fs::absolute(seeds / seed.beside);
     damage(corpus, format, seeds);

@@ -114,6 +114,7 @@ Actions makeActions(QWidget* window) {
     a.recents.push_back(action(window, objectName.c_str(), {}));
     a.recents.back()->setVisible(false);
   }
+  a.clearRecent = action(window, "actionClearRecent", tr("&Clear recent projects"));
   a.saveTree = action(window, "actionSaveTree", tr("Save &tree..."), {keys("Ctrl+E")}, "save");
   a.savePicture =
       action(window, "actionSavePicture", tr("Save &picture..."), {keys("F12")}, "camera");
@@ -179,6 +180,8 @@ void fillMenus(QMenuBar& bar, const Actions& a) {
   file->addMenu(organMenu(a, file));
   QMenu* recent = file->addMenu(QObject::tr("Open &recent"));
   for (QAction* project : a.recents) recent->addAction(project);
+  recent->addSeparator();
+  recent->addAction(a.clearRecent);
   file->addSeparator();
   file->addActions({a.otherSeries, a.locateCt});
   file->addSeparator();

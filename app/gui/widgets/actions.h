@@ -37,6 +37,7 @@ struct Actions {
   QAction* saveProjectAs = nullptr;
   QAction* packCt = nullptr;      ///< checkable: the CT goes into the project
   std::vector<QAction*> recents;  ///< projects of late, each one's path its data(); hidden: none
+  QAction* clearRecent = nullptr;
   QAction* saveTree = nullptr;
   QAction* savePicture = nullptr;
   QAction* exportCase = nullptr;

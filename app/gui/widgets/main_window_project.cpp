@@ -64,6 +64,11 @@ void MainWindow::connectProject() {
     connect(recent, &QAction::triggered, this,
             [this, recent] { open({projectPath(recent->data().toString())}); });
   }
+  setRecent({});
+  connect(actions_.clearRecent, &QAction::triggered, this, [this] {
+    setRecent({});
+    emit recentChanged(recent_);
+  });
   connect(&document_, &Document::projectWasSaved, this, [this] {
     addRecent(document_.projectPath());
     // Later: the job that saved is not over yet.
@@ -248,6 +253,8 @@ void MainWindow::setRecent(const QStringList& paths) {
     action->setText(QStringLiteral("&%1  %2").arg(i + 1).arg(QFileInfo(recent_[i]).fileName()));
     action->setToolTip(recent_[i]);
   }
+  allow(*actions_.clearRecent, !recent_.empty(), tr("Forget which projects were opened of late"),
+        tr("No project was opened of late"));
 }
 
 void MainWindow::addRecent(const std::filesystem::path& path) {
