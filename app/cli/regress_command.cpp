@@ -7,6 +7,7 @@
 #include "cli/drawn_picture.h"
 #include "cli/files.h"
 #include "cli/text.h"
+#include "io/atomic_file.h"
 #include "io/staged_folder.h"
 #include "pipeline/regress_report.h"
 #include "render/picture.h"
@@ -185,7 +186,7 @@ void update(const ReadyPictures& pictures, std::vector<ComparedPicture>& results
   for (std::size_t i = 0; i < results.size(); ++i) {
     if (results[i].outcome == PictureOutcome::Same) continue;
     const fs::path& reference = pictures[i]->reference;
-    fs::create_directories(reference.parent_path());
+    makeFolder(reference.parent_path());
     writeFile(reference, readFile(page / pageFile(results[i].listed.name, PagePart::New)));
     results[i].updated = true;
   }

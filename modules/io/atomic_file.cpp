@@ -233,6 +233,14 @@ void requireWritable(const fs::path& path, Existing existing) {
   const AtomicFile probe(path, existing);
 }
 
+void makeFolder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (!error) return;
+  throw OutputFailed("the folder " + quoted(folder) + " cannot be made: " + error.message() +
+                     "; choose another");
+}
+
 void writeFile(const fs::path& path, std::string_view content, Existing existing) {
   AtomicFile file(path, existing);
   file.write(content);

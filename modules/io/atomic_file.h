@@ -14,6 +14,9 @@ enum class Existing { Refuse, Replace };
 /// @throws OutputFailed naming the path and what to do (exists, no folder, read-only, a folder)
 void requireWritable(const std::filesystem::path& path, Existing existing = Existing::Replace);
 
+/// A folder and those that it stands in, where they are not there. @throws OutputFailed
+void makeFolder(const std::filesystem::path& folder);
+
 /// The file that a path stands for: itself, or the end of its links, which need not be there. A
 /// link again if they lead to themselves.
 std::filesystem::path endOfLinks(const std::filesystem::path& path);

@@ -25,12 +25,7 @@ constexpr std::uint64_t BytesOfBranch = 8 + 66;                ///< where it end
 template <class Write>
 void writePieces(const fs::path& file, const std::vector<std::size_t>& ends, Write&& write) {
   const std::vector<fs::path> files = pieceFiles(file, ends.size());
-  std::error_code error;
-  fs::create_directories(files.front().parent_path(), error);
-  if (error) {
-    throw OutputFailed("the folder " + quoted(files.front().parent_path()) +
-                       " cannot be made: " + error.message());
-  }
+  makeFolder(files.front().parent_path());
   for (std::size_t i = 0; i < files.size(); ++i) write(files[i], i == 0 ? 0 : ends[i - 1], ends[i]);
 }
 

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/error.h"
+#include "io/atomic_file.h"
 #include "io/multiblock_file.h"
 #include "io/staged_folder.h"
 #include "io/surface_file.h"
@@ -76,7 +77,7 @@ void writeFissurePatches(const fs::path& folder, const LobesOfLungs& lobes,
       if (complete != lobes.complete.end()) {
         arrays.triangleMarks["on_fissure"] = complete->second.onSheet;
       }
-      fs::create_directories((folder / patchFile(fissure)).parent_path());
+      makeFolder((folder / patchFile(fissure)).parent_path());
       writeSurfacePieces(folder / patchFile(fissure), patch,
                          pneuma::pieceEnds(patch, largestBytes, PatchArrays), arrays);
     }

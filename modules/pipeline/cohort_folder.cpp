@@ -7,6 +7,7 @@
 
 #include "core/error.h"
 #include "core/memory.h"
+#include "io/atomic_file.h"
 #include "io/staged_folder.h"
 #include "pipeline/detail/cohort_files.h"
 #include "pipeline/recipe_arguments.h"
@@ -149,11 +150,7 @@ WrittenCohort writeCohort(const fs::path& folder, const CohortWorkflow& workflow
   StagedFolder staged(folder);
   for (const auto& [name, text] : texts) {
     const fs::path path = staged.path() / name;
-    fs::create_directories(path.parent_path(), error);
-    if (error) {
-      throw OutputFailed("'" + path.parent_path().string() +
-                         "' cannot be made: " + error.message());
-    }
+    makeFolder(path.parent_path());
     writeFile(path, text);
     written.files.push_back(name);
   }

@@ -1,6 +1,8 @@
 #include "io/detail/zip_reading.h"
 
 #include <algorithm>
+#include <cerrno>
+#include <new>
 
 #include "core/error.h"
 #include "io/detail/input_file.h"
@@ -25,6 +27,7 @@ bool leadsOut(const std::string& name) {
 
 void throwDamagedArchive(const std::filesystem::path& path, archive* handle,
                          const std::string& name) {
+  if (archive_errno(handle) == ENOMEM) throw std::bad_alloc();
   const char* reason = archive_error_string(handle);
   const std::string text = reason == nullptr ? "" : reason;
   const std::string where = "the archive " + quoted(path);

@@ -17,7 +17,8 @@ struct CloseArchive {
 
 using Archive = std::unique_ptr<archive, CloseArchive>;
 
-/// @throws Unsupported if it is protected by a password; else InvalidInput
+/// @throws Unsupported if it is protected by a password, std::bad_alloc where memory ended; else
+/// InvalidInput
 [[noreturn]] void throwDamagedArchive(const std::filesystem::path& path, archive* handle,
                                       const std::string& name);
 

@@ -187,14 +187,7 @@ bool RunFolder::left(Stage stage, const std::string& file) const {
   return now_.contains(name(stage)) && now_[name(stage)]["files"].contains(file);
 }
 
-void RunFolder::make() const {
-  std::error_code failed;
-  std::filesystem::create_directories(path_, failed);
-  if (failed) {
-    throw OutputFailed("the folder '" + path_.string() + "' cannot be made: " + failed.message() +
-                       "; choose another with --output");
-  }
-}
+void RunFolder::make() const { makeFolder(path_); }
 
 std::string textOf(const Json& json) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

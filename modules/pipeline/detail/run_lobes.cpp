@@ -1,6 +1,6 @@
 #include "pipeline/detail/run_lobes.h"
 
-#include "core/error.h"
+#include "io/atomic_file.h"
 #include "io/fissure_file.h"
 #include "io/input_files.h"
 #include "pipeline/lobe_files.h"
@@ -13,14 +13,6 @@ namespace {
 
 std::string belowRun(const std::filesystem::path& file) {
   return (std::filesystem::path(run_files::Lobes) / file).generic_string();
-}
-
-void makeFolder(const std::filesystem::path& path) {
-  std::error_code failed;
-  std::filesystem::create_directories(path, failed);
-  if (failed) {
-    throw OutputFailed("the folder '" + path.string() + "' cannot be made: " + failed.message());
-  }
 }
 
 /// Surfaces are named by their path from the file that names them. That file is written into
