@@ -142,6 +142,11 @@ ExitCode runRun(const RunArguments& arguments, const CommonOptions& common,
   Recipe recipe;
   if (!arguments.recipe.empty()) recipe = readRecipe(arguments.recipe);
   if (!arguments.ct.empty()) recipe.ct = arguments.ct;
+  std::error_code ignored;
+  if (arguments.ct.empty() && !recipe.ct.empty() && !std::filesystem::exists(recipe.ct, ignored)) {
+    throw InputMissing("there is no '" + recipe.ct.string() + "', which '" +
+                       arguments.recipe.string() + "' names as the CT; check that path");
+  }
   RunOptions options;
   options.folder = common.output;
   options.dryRun = arguments.dryRun;
@@ -157,7 +162,6 @@ ExitCode runRun(const RunArguments& arguments, const CommonOptions& common,
   if (arguments.packCt) {
     throw InvalidOption("--pack-ct puts the CT into a project: end --output in .pneuma");
   }
-  std::error_code ignored;
   if (std::filesystem::exists(options.folder, ignored) &&
       !std::filesystem::is_directory(options.folder, ignored)) {
     throw OutputFailed("'" + options.folder.string() +

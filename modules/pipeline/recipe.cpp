@@ -40,24 +40,32 @@ class RecipeReader {
                           "\", which this version does not have; remove it");
       }
       if (!options.is_object()) fail("has no object under \"" + stage + "\"");
-      if (stage == "open") {
-        readOpen(options, recipe);
-      } else if (stage == "lungs") {
-        readLungs(options, recipe);
-      } else if (stage == "lobes") {
-        readLobes(options, recipe.lobes);
-      } else if (stage == "airways") {
-        readAirways(options, recipe);
-      } else if (stage == "export") {
-        readExport(options, recipe);
-      } else {
-        unknown(stage, "stage", {"open", "lungs", "lobes", "airways", "export"});
+      try {
+        readStage(stage, options, recipe);
+      } catch (const InvalidOption& error) {
+        throw InvalidOption("'" + path_.string() + "': " + error.what());
       }
     }
     return recipe;
   }
 
  private:
+  void readStage(const std::string& stage, const Json& options, Recipe& recipe) const {
+    if (stage == "open") {
+      readOpen(options, recipe);
+    } else if (stage == "lungs") {
+      readLungs(options, recipe);
+    } else if (stage == "lobes") {
+      readLobes(options, recipe.lobes);
+    } else if (stage == "airways") {
+      readAirways(options, recipe);
+    } else if (stage == "export") {
+      readExport(options, recipe);
+    } else {
+      unknown(stage, "stage", {"open", "lungs", "lobes", "airways", "export"});
+    }
+  }
+
   [[noreturn]] void fail(const std::string& what) const {
     throw InvalidInput("'" + path_.string() + "' " + what);
   }
@@ -88,15 +96,11 @@ class RecipeReader {
     if (value.is_structured() || value.is_null()) {
       fail("should have a number or a text under \"" + key + "\"");
     }
-    try {
-      setOption(options, key,
-                value.is_string()    ? value.get<std::string>()
-                : value.is_boolean() ? std::string(value.get<bool>() ? (isFlag ? "1" : "on")
-                                                                     : (isFlag ? "0" : "off"))
-                                     : value.dump());
-    } catch (const InvalidOption& error) {
-      throw InvalidOption("'" + path_.string() + "': " + error.what());
-    }
+    setOption(options, key,
+              value.is_string() ? value.get<std::string>()
+              : value.is_boolean()
+                  ? std::string(value.get<bool>() ? (isFlag ? "1" : "on") : (isFlag ? "0" : "off"))
+                  : value.dump());
     return true;
   }
 

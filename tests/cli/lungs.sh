@@ -119,6 +119,11 @@ refuses "a CT whose name is too long" 3 'no .xxx' run --ct "$long" -o nowhere
 
 # What cannot be.
 refuses "no recipe and no CT" 2 'needs a recipe' run -o nowhere
+echo '{"schema": "pneuma/recipe/1", "open": {"ct": "away.nii"}}' >leads-nowhere.json
+refuses "a recipe whose CT is not there" 3 "no 'away.nii', which 'leads-nowhere.json' names as the CT" run leads-nowhere.json -o nowhere
+refuses "the same for a project" 3 "no 'away.nii', which 'leads-nowhere.json' names as the CT" run leads-nowhere.json -o nowhere.pneuma
+echo '{"schema": "pneuma/recipe/1", "open": {"ct": "series"}, "airways": {"method": "ki4aoka"}}' >odd.json
+refuses "a recipe of a method that is none" 2 "^pneuma: 'odd.json': the growth method is one of .*'ki4aoka'" run odd.json -o nowhere
 refuses "a recipe that is not there" 3 'no .*absent.json' run absent.json -o nowhere
 echo '{' >broken.json
 refuses "a recipe that is no JSON" 4 'no JSON near byte' run broken.json -o nowhere
