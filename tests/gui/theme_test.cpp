@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "widgets/mouse_picture.h"
 #include "widgets/size_menu.h"
 
 namespace pneuma {
@@ -84,6 +85,19 @@ INSTANTIATE_TEST_SUITE_P(Both, ThemeTest, ::testing::Values(ThemeName::Dark, The
                          [](const auto& theme) {
                            return theme.param == ThemeName::Dark ? "dark" : "light";
                          });
+
+TEST(MousePicture, NeverHasLessRoomThanItsTextTakes) {
+  for (const MouseHabits& habits : mouseHabits()) {
+    const MousePicture picture(habits.profile);
+    constexpr int MouseWidth = 48;
+    for (const SliceDrag drag : {habits.left, habits.middle, habits.right}) {
+      const QString text = QObject::tr("Middle") + dragText(drag);
+      EXPECT_GT(picture.minimumSizeHint().width(),
+                MouseWidth + picture.fontMetrics().horizontalAdvance(text))
+          << text.toStdString();
+    }
+  }
+}
 
 }  // namespace
 }  // namespace pneuma

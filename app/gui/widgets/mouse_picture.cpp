@@ -3,8 +3,6 @@
 #include <QPainter>
 #include <QPainterPath>
 #include <algorithm>
-#include <array>
-#include <utility>
 
 #include "widgets/theme.h"
 
@@ -27,8 +25,22 @@ MousePicture::MousePicture(MouseProfile profile, QWidget* parent)
           .arg(dragText(habits.left), dragText(habits.middle), dragText(habits.right)));
 }
 
+std::array<std::pair<QString, QString>, 4> MousePicture::lines() const {
+  const MouseHabits& habits = habitsOf(profile_);
+  return {{{tr("Left"), dragText(habits.left)},
+           {tr("Middle"), dragText(habits.middle)},
+           {tr("Right"), dragText(habits.right)},
+           {tr("Wheel"), tr("Next slice")}}};
+}
+
+int MousePicture::namedWidth() const { return fontMetrics().horizontalAdvance(tr("Middle")) + 12; }
+
 QSize MousePicture::sizeHint() const {
-  return {TextLeft + 26 * fontMetrics().averageCharWidth() + 60,
+  int longest = 0;
+  for (const auto& [button, does] : lines()) {
+    longest = std::max(longest, fontMetrics().horizontalAdvance(does));
+  }
+  return {TextLeft + namedWidth() + longest + 2,
           std::max(static_cast<int>(Body.bottom()) + 2, 4 * fontMetrics().lineSpacing() + 4)};
 }
 
@@ -48,18 +60,12 @@ void MousePicture::paintEvent(QPaintEvent*) {
   painter.setBrush(theme.panel);
   painter.drawRoundedRect(Wheel, 4.0, 4.0);
 
-  const MouseHabits& habits = habitsOf(profile_);
-  const std::array<std::pair<QString, QString>, 4> lines = {{
-      {tr("Left"), dragText(habits.left)},
-      {tr("Middle"), dragText(habits.middle)},
-      {tr("Right"), dragText(habits.right)},
-      {tr("Wheel"), tr("Next slice")},
-  }};
-  const int step = height() / static_cast<int>(lines.size());
-  const int named = fontMetrics().horizontalAdvance(tr("Middle")) + 12;
+  const auto told = lines();
+  const int step = height() / static_cast<int>(told.size());
+  const int named = namedWidth();
   int y = 0;
-  for (const auto& [button, does] : lines) {
-    painter.setPen(button == lines.front().first ? theme.accent : theme.dim);
+  for (const auto& [button, does] : told) {
+    painter.setPen(button == told.front().first ? theme.accent : theme.dim);
     painter.drawText(QRect(TextLeft, y, named, step), Qt::AlignVCenter, button);
     painter.setPen(theme.text);
     painter.drawText(QRect(TextLeft + named, y, width() - TextLeft - named, step), Qt::AlignVCenter,

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <QWidget>
+#include <array>
+#include <utility>
 
 #include "widgets/mouse_profile.h"
 
@@ -13,12 +15,19 @@ class MousePicture : public QWidget {
  public:
   explicit MousePicture(MouseProfile profile, QWidget* parent = nullptr);
 
+  /// Room for every line of text.
   QSize sizeHint() const override;
+
+  QSize minimumSizeHint() const override { return sizeHint(); }
 
  protected:
   void paintEvent(QPaintEvent* event) override;
 
  private:
+  /// What is dragged or turned, and what it does.
+  std::array<std::pair<QString, QString>, 4> lines() const;
+  int namedWidth() const;
+
   MouseProfile profile_;
 };
 

@@ -17,7 +17,16 @@ namespace pneuma {
 
 namespace {
 
-constexpr int WidthForPictures = 1000;  ///< of the screen
+constexpr int WelcomeMargin = 28;
+
+/// Whether the pictures of all mice, side by side, have room on the screen.
+bool picturesFit(const QScreen& screen) {
+  int width = 2 * WelcomeMargin;
+  for (const MouseHabits& habits : mouseHabits()) {
+    width += MousePicture(habits.profile).sizeHint().width() + WelcomeMargin;
+  }
+  return width < 0.9 * screen.availableSize().width();
+}
 
 QLabel* paragraph(const QString& text, const char* role) {
   auto* label = new QLabel(text);
@@ -40,7 +49,7 @@ WelcomeDialog::WelcomeDialog(const Actions& actions, QWidget* parent) : QDialog(
   setObjectName(QStringLiteral("welcome"));
   setWindowTitle(tr("Welcome to Pneuma"));
   auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(28, 24, 28, 22);
+  column->setContentsMargins(WelcomeMargin, 24, WelcomeMargin, 22);
   column->setSpacing(10);
   column->addWidget(paragraph(tr("Welcome to Pneuma"), "title"));
   column->addWidget(paragraph(tr("From a chest CT to lobes, airways and breathing. Two things to "
@@ -99,10 +108,10 @@ QWidget* WelcomeDialog::makeMice(const Actions& actions) {
   auto* mice = new QWidget;
   auto* grid = new QGridLayout(mice);
   grid->setContentsMargins(0, 0, 0, 0);
-  grid->setHorizontalSpacing(28);
+  grid->setHorizontalSpacing(WelcomeMargin);
   grid->setVerticalSpacing(8);
   auto* group = new QButtonGroup(mice);
-  const bool wide = screen()->availableSize().width() >= WidthForPictures;
+  const bool wide = picturesFit(*screen());
   int place = 0;
   for (const MouseHabits& habits : mouseHabits()) {
     QAction* action = actions.mouse[static_cast<std::size_t>(habits.profile)];
