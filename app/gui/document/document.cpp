@@ -56,7 +56,10 @@ Document::Document(QObject* parent) : QObject(parent) {
   connect(&jobs_, &JobQueue::busyChanged, this, [this](bool busy) {
     if (busy) return;
     lobeJob_ = LobeJob::None;
+    findingLungs_ = false;
+    growing_ = false;
     breathing_ = false;
+    exporting_ = false;
     followingLungs_ = false;
     correctingLungs_ = false;
     drawingSeries_ = false;
@@ -148,6 +151,7 @@ bool Document::lungsOutOfDate() const {
 }
 
 void Document::findLungs(StepKind kind) {
+  findingLungs_ = true;
   jobs_.push(tr("Finding lungs"), [this, kind, model = snapshot_.model, name = snapshot_.name,
                                    options = lungOptions_](const Progress& progress) {
     const auto start = std::chrono::steady_clock::now();
@@ -167,6 +171,7 @@ void Document::findLungs(StepKind kind) {
 }
 
 void Document::grow() {
+  growing_ = true;
   jobs_.push(tr("Growing airways"),
              [this, before = snapshot_, options = growthOptions()](const Progress& progress) {
                Snapshot next = nextSnapshot(before, pneuma::grow(before.model, options, progress));

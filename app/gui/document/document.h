@@ -68,13 +68,16 @@ class Document : public QObject {
   /// True if the lungs shown were found with other options than those set now.
   bool lungsOutOfDate() const;
 
+  /// True while lungs are looked for, airways grown, a case exported or its report written.
+  bool findingLungs() const { return findingLungs_; }
+  bool growing() const { return growing_; }
+  bool exporting() const { return exporting_; }
+
   /// True if there are whole lungs to split into lobes.
   bool canSplit() const { return !snapshot_.lungs.empty(); }
 
-  /// True while the lungs are being split.
+  /// True while the lungs are being split, and while fissures are looked for in the CT.
   bool splitting() const { return lobeJob_ == LobeJob::Splitting; }
-
-  /// True while fissures are looked for in the CT.
   bool lookingForFissures() const { return lobeJob_ == LobeJob::Looking; }
 
   /// Why fissures cannot be snapped to what shows in the CT; empty if they can.
@@ -184,9 +187,6 @@ class Document : public QObject {
 
   /// True while surfaces and figures follow corrections of the lungs.
   bool followingLungs() const { return followingLungs_; }
-
-  /// True while a job corrects the lungs, or what follows that.
-  bool correctingLungs() const { return followingLungs_ || correctingLungs_; }
 
   /// Makes surfaces and figures those of the corrected lungs, if they are not, as a job. Not while
   /// another job changes them.
@@ -421,7 +421,10 @@ class Document : public QObject {
   std::optional<InputFile> breathFile_;     ///< that breatheOptions_.fit is of
   std::optional<InputFile> constantsFile_;  ///< that breatheOptions_.person is of
   LobeJob lobeJob_ = LobeJob::None;
+  bool findingLungs_ = false;
+  bool growing_ = false;
   bool breathing_ = false;
+  bool exporting_ = false;
   bool followingLungs_ = false;
   bool correctingLungs_ = false;  ///< by a job
   int supersededFollowing_ = 0;   ///< jobs that are cancelled because there are newer corrections

@@ -27,6 +27,7 @@ std::vector<std::filesystem::path> Document::filesInTheWay(ExportPreset preset,
 void Document::exportCase(ExportPreset preset, const std::filesystem::path& folder,
                           const std::string& format, ViewDirection view) {
   touched_ = {folder};
+  exporting_ = true;
   jobs_.push(tr("Exporting"), [this, preset, folder, format, view, state = stateOf(snapshot_),
                                breath = snapshot_.breath](const Progress& progress) {
     MadeBreath made;
@@ -47,6 +48,7 @@ void Document::saveReport(const std::filesystem::path& path, const CaseReportOpt
   touched_ = {path};
   Project project;
   project.state = stateOf(snapshot_);
+  exporting_ = true;
   jobs_.push(tr("Writing the report"), [this, path, options,
                                         project = std::move(project)](const Progress& progress) {
     requireCaseDocumentName(path);

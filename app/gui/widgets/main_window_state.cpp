@@ -130,7 +130,7 @@ void MainWindow::updateSteps() {
   StepButton& lungs = *steps_[LungsStep];
   if (!model.ct) {
     lungs.setState(StepState::ToDo, tr("in a CT"));
-  } else if ((busy && !document_.canGrow()) || document_.followingLungs()) {
+  } else if (document_.findingLungs() || document_.followingLungs()) {
     lungs.setState(StepState::Running, {});
   } else if (document_.lungsOutOfDate() || !snapshot.lungsFollow()) {
     lungs.setState(StepState::OutOfDate, {});
@@ -151,8 +151,7 @@ void MainWindow::updateSteps() {
   updateLobesStep();
 
   StepButton& airways = *steps_[AirwaysStep];
-  if (busy && document_.canGrow() && !document_.splitting() && !document_.breathing() &&
-      !document_.correctingLungs()) {
+  if (document_.growing()) {
     airways.setState(StepState::Running, {});
   } else if (!model.growth) {
     airways.setState(StepState::ToDo, {});
@@ -165,7 +164,9 @@ void MainWindow::updateSteps() {
                      counted(tree->size(), "branch", "branches"));
   }
   updateBreathingStep();
-  steps_[ExportStep]->setState(document_.treeSaved() ? StepState::Done : StepState::ToDo,
+  steps_[ExportStep]->setState(document_.exporting()   ? StepState::Running
+                               : document_.treeSaved() ? StepState::Done
+                                                       : StepState::ToDo,
                                document_.treeSaved() ? tr("tree saved") : QString());
 }
 
