@@ -18,12 +18,17 @@ void rememberSignals() {
   action.sa_handler = remember;
   action.sa_flags = SA_RESTART;
   sigemptyset(&action.sa_mask);
-  sigaction(SIGINT, &action, nullptr);
-  sigaction(SIGTERM, &action, nullptr);
   sigaction(SIGALRM, &action, nullptr);
+  for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGXCPU}) {
+    struct sigaction before = {};
+    sigaction(number, nullptr, &before);
+    if (before.sa_handler != SIG_IGN) sigaction(number, &action, nullptr);  // as nohup asks
+  }
   std::signal(SIGXFSZ, SIG_IGN);
 }
 
 int receivedSignal() { return lastSignal; }
+
+bool nobodyReads() { return lastSignal == SIGPIPE; }
 
 }  // namespace pneuma::cli

@@ -69,7 +69,7 @@ pneuma::ExitCode ended(const std::vector<std::string>& arguments) {
 pneuma::ExitCode run(int argc, char** argv) {
   const pneuma::ExitCode code = ended({argv + 1, argv + argc});
   if (pneuma::memoryRanOut()) throw std::bad_alloc();
-  if (!std::cout.flush()) {
+  if (!std::cout.flush() && !pneuma::cli::nobodyReads()) {
     throw pneuma::OutputFailed("standard output cannot be written; is the disk full?");
   }
   return code;
@@ -117,7 +117,8 @@ int main(int argc, char** argv) {
   pneuma::cli::rememberSignals();
   try {
     pneuma::cli::requireStack();
-    return static_cast<int>(run(argc, argv));
+    const auto code = static_cast<int>(run(argc, argv));
+    return pneuma::cli::nobodyReads() ? SignalBase + pneuma::cli::receivedSignal() : code;
   } catch (const pneuma::Cancelled&) {
     if (pneuma::cli::timeIsOver()) {
       complain("the time of --timeout is over; nothing was written");

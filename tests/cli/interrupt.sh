@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Ctrl-C and TERM during a long growth: exit 130 and 143 soon, and no file.
+# Ctrl-C, TERM, a terminal that is closed and a limit on processor time during a long growth: exit 130, 143, 129 and 152
+# soon, and no file.
 . "$(dirname "$0")/lib.sh"
 
 ball 90 >ball.obj
@@ -35,4 +36,17 @@ stops() {
 set -m # or background processes ignore SIGINT
 stops INT 130
 stops TERM 143
+stops HUP 129
+stops XCPU 152
+
+# Who reads what is printed goes away: nothing half is left, and what was written before is whole.
+succeeds "lobes" sample lobes -q
+caseName="a pipe that nobody reads"
+for what in "breathe lobes -o b.pvd --frames 60 --progress json" "info lobes --json"; do
+  cases=$((cases + 1))
+  # shellcheck disable=SC2086
+  { sleep 0.5; "$PNEUMA" $what 2>&1; echo $? >"$logs/code"; } | :
+  [ "$(cat "$logs/code")" -eq 141 ] || fail "$what: exit code $(cat "$logs/code"), not 141"
+done
+expect "files were left: $(ls -A | tr '\n' ' ')" test "$(ls -A | tr '\n' ' ')" = "ball.obj lobes "
 finish
