@@ -1,11 +1,8 @@
 #include "io/detail/dicom_header.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <fstream>
-#include <set>
-#include <sstream>
 #include <utility>
 
 #include <vtkDICOMMetaData.h>
@@ -14,6 +11,7 @@
 #include <vtkNew.h>
 
 #include "io/detail/dicom_nesting.h"
+#include "io/detail/person_words.h"
 #include "io/detail/text_fields.h"
 #include "io/detail/vtk_errors.h"
 
@@ -206,68 +204,6 @@ void checkPixels(DicomHeader& header, const Attributes& attributes, vtkDICOMPars
                    " bytes of pixels are there; copy it again from its source");
     }
   }
-}
-
-/// In small letters, those of Western Europe too (UTF-8).
-std::string folded(std::string text) {
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const auto byte = static_cast<unsigned char>(text[i]);
-    const bool capital = i > 0 && static_cast<unsigned char>(text[i - 1]) == 0xC3U &&
-                         byte >= 0x80U && byte <= 0x9EU && byte != 0x97U;
-    if (capital || (byte >= 'A' && byte <= 'Z')) text[i] = static_cast<char>(byte + 0x20U);
-  }
-  return text;
-}
-
-/// The words of a text, folded().
-std::set<std::string> wordsOf(const std::string& text) {
-  std::set<std::string> words;
-  std::string word;
-  for (const char c : folded(text) + ' ') {
-    const auto byte = static_cast<unsigned char>(c);
-    if (std::isalnum(byte) != 0 || byte >= 0x80U) {
-      word += c;
-    } else {
-      words.insert(std::exchange(word, {}));
-    }
-  }
-  return words;
-}
-
-/// The words that name the person, or those around.
-std::set<std::string> namesIn(const Identifiers& identifiers) {
-  constexpr std::size_t ShortestWord = 3;  // of others than the patient
-  std::set<std::string> names;
-  for (const char* keyword :
-       {"PatientName", "PatientID", "OtherPatientIDs", "PatientBirthDate", "AccessionNumber",
-        "ReferringPhysicianName", "PerformingPhysicianName", "OperatorsName"}) {
-    const auto found = identifiers.find(keyword);
-    if (found == identifiers.end()) continue;
-    const std::size_t shortest = std::string_view(keyword) == "PatientName" ? 2 : ShortestWord;
-    for (const std::string& word : wordsOf(found->second)) {
-      if (word.size() >= shortest) names.insert(word);
-    }
-  }
-  return names;
-}
-
-/// A description without the words that name the person, or those around, which people type there.
-std::string withoutPerson(const std::string& description, const Identifiers& identifiers) {
-  const std::set<std::string> names = namesIn(identifiers);
-  const auto isName = [&](const std::string& word) {
-    if (names.contains(word)) return true;
-    // Scripts without blanks.
-    return std::ranges::any_of(names, [&](const std::string& name) {
-      return static_cast<unsigned char>(name.front()) >= 0xE0U && word.find(name) != word.npos;
-    });
-  };
-  std::istringstream words(description);
-  std::string kept;
-  for (std::string word; words >> word;) {
-    const bool named = std::ranges::any_of(wordsOf(word), isName);
-    kept += (kept.empty() ? "" : " ") + (named ? "..." : word);
-  }
-  return kept;
 }
 
 }  // namespace

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+
+#include "io/dicom_series.h"
+
+namespace pneuma {
+
+/// A description (UTF-8) as people type it, without the words that name the person of a CT, or
+/// those around: "..." stands in their place. Taken for such are the words of the names and numbers
+/// among the identifiers, in any case; two of a name glued together, or one with the other's
+/// initial; longer names within a word; numbers and the date of birth with any punctuation, without
+/// leading zeros, in any order of day, month and year. Rather too much is left out than too little.
+std::string withoutPerson(const std::string& description, const Identifiers& identifiers);
+
+}  // namespace pneuma
