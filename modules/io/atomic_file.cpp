@@ -223,9 +223,7 @@ void AtomicFile::commit() {
   notePlaced(target_);
   forgetUnfinished(part_);
   part_.clear();
-  // Some file systems cannot sync a folder; the file itself is safe by now.
-  const Descriptor folder(::open(folderOf(target_).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  if (folder.isOpen()) ::fsync(folder.number());
+  syncFolder(folderOf(target_));
 }
 
 void requireWritable(const fs::path& path, Existing existing) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <new>
+#include <set>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -27,6 +28,10 @@ fs::path withoutSlash(fs::path folder) {
   return folder.has_filename() ? folder : folder.parent_path();
 }
 
+fs::path parentOf(const fs::path& path) {
+  return path.has_parent_path() ? path.parent_path() : fs::path(".");
+}
+
 bool isThere(const fs::path& path) {
   return fs::symlink_status(path).type() != fs::file_type::not_found;
 }
@@ -39,7 +44,7 @@ fs::path newStage(const fs::path& folder) {
     throw OutputFailed("'" + folder.string() + "' is a file, not a folder; choose another name");
   }
   const fs::path parent = there ? folder : folder.parent_path();
-  removeAbandoned(parent.empty() ? fs::path(".") : parent);
+  removeAbandoned(there ? folder : parentOf(folder));
   for (int n = 0; n < 100; ++n) {
     const fs::path stage = parent / nameAside(StageEnding);
     if (fs::create_directory(stage, error)) {
@@ -82,6 +87,14 @@ class Moves {
     done_.push_back({file, was});
     fs::rename(from_ / file, target);
     done_.back().moved = true;
+  }
+
+  /// After a power cut, too, the files are there.
+  void sync() const {
+    std::set<fs::path> folders;
+    for (const Move& move : done_) folders.insert(parentOf(to_ / move.file));
+    for (const fs::path& folder : made_) folders.insert(parentOf(folder));
+    for (const fs::path& folder : folders) syncFolder(folder);
   }
 
   void undo() noexcept {
@@ -161,8 +174,9 @@ void StagedFolder::keep(Existing existing) {
     const std::vector<fs::path> files = filesUnder(stage_);
     std::error_code error;
     if (!fs::exists(folder_, error)) {
+      syncFolder(stage_);
       fs::rename(stage_, folder_, error);
-      if (!error) return;
+      if (!error) return syncFolder(parentOf(folder_));
     }
     for (const fs::path& file : files) {
       if (existing == Existing::Refuse && isThere(folder_ / file)) {
@@ -175,6 +189,7 @@ void StagedFolder::keep(Existing existing) {
       }
     }
     for (const fs::path& file : files) moves.move(file);
+    moves.sync();
   } catch (const fs::filesystem_error& problem) {
     moves.undo();
     throw OutputFailed("'" + folder_.string() + "' cannot be written: " + problem.code().message() +

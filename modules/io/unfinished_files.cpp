@@ -106,7 +106,9 @@ void removeIfAbandoned(int folder, const char* name) {
 
   if (::fstatat(folder, name, &named, AT_SYMLINK_NOFOLLOW) != 0 || !isOld(named)) return;
   if (!S_ISREG(named.st_mode) && !S_ISDIR(named.st_mode)) return;
-  const Descriptor file(::openat(folder, name, O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
+  // Network disks (NFS) lock only what is open for writing.
+  const int way = S_ISREG(named.st_mode) ? O_RDWR : O_RDONLY;
+  const Descriptor file(::openat(folder, name, way | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
 
   struct stat opened {};
 
