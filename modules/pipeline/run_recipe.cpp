@@ -155,7 +155,7 @@ class Runner {
     requireMemory(result);
     if (options_.dryRun) return result;
     const auto start = std::chrono::steady_clock::now();
-    folder_.make();
+    makeFolder(options_.folder);
     const std::size_t before = model_.warnings.size();
     model_ = withLungs(model_, recipe_.lungs, progress.part(0.0, 0.7, "finding the lungs"));
     model_ = withLungEdits(model_, edits_, recipe_.lungEdits, recipe_.lungs.thresholdHu,

@@ -178,6 +178,7 @@ class MainWindow : public QMainWindow {
   std::string thumbnail() const;
   void showTitle();
   void addRecent(const std::filesystem::path& path);
+  void changeRecent(const QStringList& paths);
   void openFissures();
   void saveFissures();
   void savePicture();

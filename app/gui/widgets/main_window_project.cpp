@@ -65,10 +65,7 @@ void MainWindow::connectProject() {
             [this, recent] { open({projectPath(recent->data().toString())}); });
   }
   setRecent({});
-  connect(actions_.clearRecent, &QAction::triggered, this, [this] {
-    setRecent({});
-    emit recentChanged(recent_);
-  });
+  connect(actions_.clearRecent, &QAction::triggered, this, [this] { changeRecent({}); });
   connect(&document_, &Document::projectWasSaved, this, [this] {
     addRecent(document_.projectPath());
     // Later: the job that saved is not over yet.
@@ -262,6 +259,10 @@ void MainWindow::addRecent(const std::filesystem::path& path) {
   QStringList paths = recent_;
   paths.removeAll(name);
   paths.prepend(name);
+  changeRecent(paths);
+}
+
+void MainWindow::changeRecent(const QStringList& paths) {
   setRecent(paths);
   emit recentChanged(recent_);
 }

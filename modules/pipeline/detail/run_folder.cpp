@@ -187,8 +187,6 @@ bool RunFolder::left(Stage stage, const std::string& file) const {
   return now_.contains(name(stage)) && now_[name(stage)]["files"].contains(file);
 }
 
-void RunFolder::make() const { makeFolder(path_); }
-
 std::string textOf(const Json& json) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

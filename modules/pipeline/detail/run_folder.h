@@ -41,9 +41,6 @@ class RunFolder {
   /// True if a stage, done now or kept, left this file.
   bool left(Stage stage, const std::string& file) const;
 
-  /// Makes the folder unless it exists. @throws OutputFailed
-  void make() const;
-
  private:
   /// Of a file that is there, else empty.
   const std::string& hashOf(const std::string& file);
