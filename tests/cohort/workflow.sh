@@ -1,12 +1,13 @@
 #!/usr/bin/env bash
 # A cohort on one machine: three cases that are done, two that fail for reasons of their own; mended, the rest is done;
-# killed in the middle, it goes on where it was.
+# killed in the middle, it goes on where it was. What it leaves knows nothing of the person of the CTs (person.cpp).
 . "$(dirname "$0")/../cli/lib.sh"
 . "$(dirname "$0")/lib.sh"
 
 for seed in 1 2; do
   succeeds "sample $seed" sample "made $seed" --cell 6 --ct --spacing 4 --thick 5 --seed "$seed" -q
   mv "made $seed/dicom" "Ünal $seed"
+  "$PERSON" plant "Ünal $seed" >/dev/null || fail "the person was not planted"
 done
 cp -r 'Ünal 1' cut && head -c 5000 cut/slice-0020.dcm >cut/x && mv cut/x cut/slice-0020.dcm
 cp -r 'Ünal 1' gaps && rm gaps/slice-00{20..29}.dcm
@@ -47,6 +48,8 @@ says gaps reason 'slices? (is|are) missing'
 expect "what failed left files" test -z "$(find study/cases/{cut,gone} -type f)"
 expect "the page does not count" grep -q '2 done.*3 failed' study/index.html
 expect "something is half written" test -z "$(find study -name '*.part')"
+caseName="the person of the CTs"
+expect "it is found: $("$PERSON" find study 2>/dev/null | head -n 3)" "$PERSON" find study
 caseName="HDF5"
 expect "it is not as the CSV" "$python" - study <<'PYTHON'
 import csv, sys, h5py

@@ -8,6 +8,7 @@ succeeds "a chest" sample "PLANTED folder" --ct --spacing 3 -q
 rm "PLANTED folder"/*.*
 ct="../PLANTED folder/dicom"
 "$PERSON" plant "${ct#../}" >/dev/null || fail "the person was not planted"
+(cd "PLANTED folder" && cmake -E tar cf ct.zip --format=zip dicom) || fail "no zip"
 mkdir out home state
 export HOME=$PWD/home XDG_CONFIG_HOME=$PWD/home/.config XDG_STATE_HOME=$PWD/state TMPDIR=$PWD/state
 cd out || exit 1
@@ -21,7 +22,9 @@ printed=person # what names the person's folder, as it was typed
 does "what a CT is worth" 0 info "$ct"
 does "the same for programs" 0 info "$ct" --json
 does "a CT that is not there" 3 info "$ct/missing"
+does "what a zip of it is worth" 0 info "../PLANTED folder/ct.zip" --json
 printed=not
+does "a zip of it" 0 import "../PLANTED folder/ct.zip" -o zipped.nrrd
 does "a volume" 0 import "$ct" -o volume.nii.gz
 does "a volume with its text" 0 import "$ct" -o volume.nrrd
 does "lungs" 0 segment "$ct" -o labels.nii.gz --surfaces lungs --central central.vtp --report segment.json -v
@@ -42,6 +45,7 @@ does "the same, told" 0 run ../chosen.json --ct "$ct" -o chosen.told --json
 printed=not
 does "its recipe" 0 export chosen.pneuma --preset recipe -o chosen
 for preset in paraview print segmentation tree recipe; do does "$preset" 0 export case.pneuma --preset "$preset" -o "$preset"; done
+does "a plan of a cohort" 0 cohort init cohort --cases "../PLANTED folder" --progress none
 does "a report" 0 report case.pneuma -o report.json
 does "figures" 0 measure tree.vtp --domain lobes --json
 does "an output that is there" 6 segment "$ct" -o labels.nii.gz
@@ -55,6 +59,8 @@ out/case/lungs.json: PLANTED
 out/chosen.pneuma:project.json: PLANTED
 out/chosen.told/lungs.json: PLANTED
 out/chosen/recipe.json: PLANTED
+out/cohort/README.md: PLANTED
+out/cohort/cases.json: PLANTED
 out/lobes/lobes.json: PLANTED
 out/packed.pneuma:project.json: PLANTED
 out/printed.person: PLANTED
@@ -67,7 +73,7 @@ caseName="who is found"
 cases=$((cases + 1))
 diff <(sort expected) <(sort found) >"$logs/out" || fail "the person is found elsewhere"
 caseName="what is found"
-sed -i 's/PLANTED folder//g' all/out/printed.person all/out/*.json all/out/*/*.json
+sed -i 's/PLANTED folder//g' all/out/printed.person all/out/*.json all/out/*/*.json all/out/cohort/README.md
 "$PERSON" find all >found 2>"$logs/err"
 grep -v '\.pneuma:' found >"$logs/out"
 cases=$((cases + 1))

@@ -2,7 +2,7 @@
 // dates, places,
 //   UIDs and private text, each of which can be told from everything else.
 // person find FOLDER [DIR]: prints every file below the folder, and every member of its zips and
-// what is gzipped, that
+// what is gzipped or packed in a PDF, that
 //   holds anything of that person, with DIR (the person's own folder) as one more thing; ends with
 //   1 if there is any.
 #include <algorithm>
@@ -19,6 +19,7 @@
 
 #include <archive.h>
 #include <archive_entry.h>
+#include <zlib.h>
 
 namespace {
 
@@ -41,8 +42,11 @@ const std::vector<Planted> Person = {
     {0x00100020, "LO", "PLANTED-ID"},         {0x00100030, "DA", "19310213"},
     {0x00101040, "LO", "PLANTED STREET"},     {0x00102154, "SH", "0800PLANTED77 "},
     {0x00104000, "LT", "PLANTED COMMENTS"},   {0x00180030, "ST", "PLANTEDNOTES"},
-    {0x00200010, "SH", "PLANTEDS"},
+    {0x00200010, "SH", "PLANTEDS"},           {0x00321060, "LO", "PLANTED SCAN"},
 };
+
+const Planted Inside = {0x00400007, "LO", "PLANTED BY DOEPLANT "};
+constexpr std::uint32_t SequenceTag = 0x00400275;
 
 const std::vector<std::string> Traces = {"PLANTED",    "planted",  "DOEPLANT",  "19310213",
                                          "1931-02-13", "19770707", "2.25.77777"};
@@ -62,17 +66,27 @@ std::uint32_t number(const std::string& bytes, std::size_t at, int size) {
   return value;
 }
 
+std::string ofTwoBytes(std::size_t value) {
+  return {static_cast<char>(value & 0xFFU), static_cast<char>((value >> 8U) & 0xFFU)};
+}
+
+std::string ofFourBytes(std::size_t value) {
+  return ofTwoBytes(value & 0xFFFFU) + ofTwoBytes(value >> 16U);
+}
+
+std::string bytesOf(std::uint32_t tag) {
+  return ofTwoBytes(tag >> 16U) + ofTwoBytes(tag & 0xFFFFU);
+}
+
 std::string element(const Planted& planted) {
-  std::string bytes;
-  const auto add = [&](std::uint32_t value) {
-    bytes += static_cast<char>(value & 0xFFU);
-    bytes += static_cast<char>((value >> 8U) & 0xFFU);
-  };
-  add(planted.tag >> 16U);
-  add(planted.tag & 0xFFFFU);
-  bytes += planted.vr;
-  add(static_cast<std::uint32_t>(planted.value.size()));
-  return bytes + planted.value;
+  return bytesOf(planted.tag) + planted.vr + ofTwoBytes(planted.value.size()) + planted.value;
+}
+
+/// A sequence of one item with one element: what was asked for (Request Attributes).
+std::string sequence(const Planted& planted) {
+  const std::string inside = element(planted);
+  const std::string item = bytesOf(0xFFFEE000U) + ofFourBytes(inside.size()) + inside;
+  return bytesOf(SequenceTag) + "SQ" + ofTwoBytes(0) + ofFourBytes(item.size()) + item;
 }
 
 /// `file` is explicit little endian without sequences, as `pneuma sample --ct` writes it.
@@ -88,6 +102,7 @@ std::string withPerson(const std::string& file) {
     at += head + size;
   }
   for (const Planted& planted : Person) elements[planted.tag] = element(planted);
+  elements[SequenceTag] = sequence(Inside);
   std::string result = file.substr(0, Begin);
   for (const auto& [tag, bytes] : elements) result += bytes;
   // UIDs keep their length.
@@ -123,9 +138,32 @@ std::string firstTrace(const std::string& content, const std::vector<std::string
   return "";
 }
 
-/// (name, content) of what an archive or a gzipped file holds.
+/// What the packed streams of a PDF hold.
+std::string unpackedPdf(const std::string& content) {
+  std::string text;
+  const std::string begin = "stream\r\n";
+  for (std::size_t at = content.find(begin); at != content.npos; at = content.find(begin, at + 1)) {
+    z_stream stream = {};
+    if (inflateInit(&stream) != Z_OK) continue;
+    std::string packed = content.substr(at + begin.size());
+    stream.next_in = reinterpret_cast<Bytef*>(packed.data());
+    stream.avail_in = static_cast<uInt>(packed.size());
+    std::vector<char> piece(1U << 16U);
+    for (int code = Z_OK; code == Z_OK;) {
+      stream.next_out = reinterpret_cast<Bytef*>(piece.data());
+      stream.avail_out = static_cast<uInt>(piece.size());
+      code = inflate(&stream, Z_NO_FLUSH);
+      text.append(piece.data(), piece.size() - stream.avail_out);
+    }
+    inflateEnd(&stream);
+  }
+  return text;
+}
+
+/// (name, content) of what an archive, a gzipped file or a PDF holds.
 std::vector<std::pair<std::string, std::string>> members(const std::string& content) {
   std::vector<std::pair<std::string, std::string>> found;
+  if (content.starts_with("%PDF")) return {{"text", unpackedPdf(content)}};
   if (!content.starts_with("PK") && !content.starts_with("\x1f\x8b")) return found;
   const std::unique_ptr<archive, decltype(&archive_read_free)> reader(archive_read_new(),
                                                                       archive_read_free);

@@ -50,6 +50,10 @@ mv "$OUT/copied" "$all/" && [ -s "$all/copied" ] || fail "no text of the error w
 "$PNEUMA" report "$all/case.pneuma" -o "$all/report.html" -q || fail "no report"
 "$PNEUMA" report "$all/case.pneuma" -o "$all/report.pdf" -q || fail "no report"
 
+# A report that names the person's file is found to do so.
+mkdir "$FOLDER/named" && "$PNEUMA" report "$all/case.pneuma" --identify -o "$FOLDER/named/report.pdf" -q || fail "no report"
+"$PERSON" find "$FOLDER/named" | grep -q '^report.pdf:text: PLANTED$' || fail "the look does not see into a PDF"
+
 "$PERSON" find "$all" >"$FOLDER/found"
 sed -E 's/^state.*pneuma:/the work that was kept:/' "$FOLDER/found" | sort >"$FOLDER/told"
 cat >"$FOLDER/expected" <<'END'
