@@ -37,6 +37,7 @@ calibrate() { "$folder/pneuma_calibration" | tee -a "$work/calibrations"; }
 
 # Rows: program, name, repetition's clock ms, processor ms, calibration by clock, by processor. Skipped ones are told.
 : >"$work/rows"
+: >"$work/skipped"
 before=$(calibrate)
 for program in "$folder"/pneuma_*benchmark*; do
   [[ -f $program && -x $program ]] || continue
@@ -59,10 +60,12 @@ for program in "$folder"/pneuma_*benchmark*; do
     /^ *"real_time": / { real = value() }
     /^ *"cpu_time": / { processor = value() }
     /^ *"error_occurred": true/ { kind = "error" }
+    /^ *"error_message": / { why[name] = value() }
     /^ *"time_unit": / && kind == "iteration" {
       per = unit[value()]
       printf "%s\t%s\t%.6f\t%.6f\t%.6f\t%.6f\n", program, name, real * per, processor * per, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2
-    }' "$work/told" >>"$work/rows"
+    }
+    END { for (name in why) print name ": " why[name] >>skipped }' skipped="$work/skipped" "$work/told" >>"$work/rows"
   before=$after
 done
 [[ -s $work/rows ]] || {
@@ -103,10 +106,10 @@ while IFS='|' read -r what ours reference is; do
     END { if (best > 0 && other > 0) printf "%s\t%s\t%s\t%s\t%.3g\n", what, name, reference, is, other / best }' "$work/table"
 done <<<"$ratios" >"$work/ratios"
 
-# The units of earlier runs: one line a benchmark in each file, as written below.
-find "$out/history" -name '*.json' | sort | tail -n 10 | while read -r file; do
+# The units of the last ten runs of each: one line a benchmark in each file, as written below.
+find "$out/history" -name '*.json' | sort -r | while read -r file; do
   sed -n 's/.*"name": "\([^"]*\)".*"units": \([0-9.e+-]*\).*/\1\t\2/p' "$file"
-done >"$work/earlier"
+done | awk -F '\t' '++n[$1] <= 10' >"$work/earlier"
 awk -F '\t' '
   FILENAME == ARGV[1] { k = ++n[$1]; for (; k > 1 && list[$1, k - 1] > $2 + 0; k--) list[$1, k] = list[$1, k - 1]; list[$1, k] = $2 + 0; next }
   { m = n[$2] ? (n[$2] % 2 ? list[$2, (n[$2] + 1) / 2] : (list[$2, n[$2] / 2] + list[$2, n[$2] / 2 + 1]) / 2) : ""
@@ -156,6 +159,10 @@ END
 mv "$work/bench.html" "$out/bench.html"
 
 awk -F '\t' '{ printf "%-55s %s times as fast as %s\n", $1, $5, $4 }' "$work/ratios"
+sort "$work/skipped" | sed 's/^/not run: /'
+[[ -n ${FILTER:-} ]] || while IFS='|' read -r what _; do
+  grep -qF "$what"$'\t' "$work/ratios" || echo "not compared: $what"
+done <<<"$ratios"
 slower=$(awk -F '\t' '$8 != "" && $8 > 1.25 { printf "%s takes %.0f %% more units than before\n", $2, 100 * ($8 - 1) }' "$work/compared")
 [[ -z $slower ]] || echo "$slower"
 echo "$json"

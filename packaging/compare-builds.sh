@@ -21,6 +21,10 @@ for n in 0 1; do
 done
 
 different=0
+diff <(ls "$work/0") <(ls "$work/1") || {
+  echo "DIFFERENT: there are other packages"
+  different=1
+}
 for package in "$work"/0/*; do
   name=$(basename "$package")
   if cmp -s "$package" "$work/1/$name"; then

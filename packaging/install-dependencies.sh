@@ -1,5 +1,8 @@
 #!/usr/bin/env bash
 # Installs everything that building, testing and running Pneuma needs on Debian 12, without questions.
+#   packaging/install-dependencies.sh [--style | --full]
+# --style: and what looks at the style of sources, as continuous integration does. --full: and what fuzzes, counts lines
+# that tests run, looks at packages and schedules jobs (`packaging/test.sh --full`).
 # The packages are those of cmake/Dependencies.cmake, the compiler, and a software display.
 # Does nothing, in a moment, where all of them are there already.
 set -euo pipefail
@@ -26,6 +29,17 @@ packages=(
   # a display without a screen, OpenGL in software, the font of pictures and window
   xvfb xauth libgl1-mesa-dri libgl1-mesa-dev fonts-inter
 )
+
+case ${1:-} in
+  '') ;;
+  --style | --full) packages+=(clang-format codespell desktop-file-utils) ;;&
+  --full) packages+=(clang-19 llvm-19 libclang-rt-19-dev gcovr lintian appstream flatpak-builder slurmctld slurmd slurm-client munge) ;;
+  --style) ;;
+  *)
+    echo "install-dependencies: there is no option '$1'; usage: packaging/install-dependencies.sh [--style | --full]" >&2
+    exit 2
+    ;;
+esac
 
 missing=()
 for package in "${packages[@]}"; do

@@ -61,8 +61,7 @@ done
 [ "$(grep -c '<caption>' archive/share/metainfo/*.xml)" -ge 3 ] || fail "the metainfo has fewer than three screenshots with captions"
 ! grep -q '@[A-Z]' archive/share/metainfo/*.xml || fail "the metainfo was not filled in"
 if command -v lintian >/dev/null; then
-  errors=$(lintian "$deb" 2>/dev/null | grep '^E:')
-  [ -z "$errors" ] || fail "lintian: $errors"
+  said=$(lintian --fail-on error "$deb" 2>&1) || fail "lintian: $(grep '^E:' <<<"$said" || echo "$said")"
 fi
 if command -v desktop-file-validate >/dev/null; then
   desktop-file-validate archive/share/applications/*.desktop || fail "the desktop file"

@@ -34,7 +34,7 @@ else
   echo "PyYAML is not installed: the manifest's form is not checked"
 fi
 if command -v flatpak-builder >/dev/null; then
-  said=$(flatpak-builder --show-manifest "$manifest" 2>&1 >/dev/null) && [ -z "$said" ] || fail "flatpak-builder does not take the manifest: $said"
+  said=$(cd "$FOLDER" && flatpak-builder --show-manifest "$ROOT/$manifest" 2>&1 >/dev/null) && [ -z "$said" ] || fail "flatpak-builder does not take the manifest: $said"
 fi
 
 # --- container
