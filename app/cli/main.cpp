@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <csignal>
 #include <filesystem>
 #include <iostream>
 #include <new>
@@ -70,7 +71,8 @@ pneuma::ExitCode run(int argc, char** argv) {
   const pneuma::ExitCode code = ended({argv + 1, argv + argc});
   if (pneuma::memoryRanOut()) throw std::bad_alloc();
   if (!std::cout.flush() && !pneuma::cli::nobodyReads()) {
-    throw pneuma::OutputFailed("standard output cannot be written; is the disk full?");
+    throw pneuma::OutputFailed(
+        "standard output cannot be written; is the disk full, or does nobody read it?");
   }
   return code;
 }
@@ -118,14 +120,15 @@ int main(int argc, char** argv) {
   try {
     pneuma::cli::requireStack();
     const auto code = static_cast<int>(run(argc, argv));
-    return pneuma::cli::nobodyReads() ? SignalBase + pneuma::cli::receivedSignal() : code;
+    return pneuma::cli::nobodyReads() ? SignalBase + SIGPIPE : code;
   } catch (const pneuma::Cancelled&) {
     if (pneuma::cli::timeIsOver()) {
       complain("the time of --timeout is over; nothing was written");
       return static_cast<int>(pneuma::ExitCode::TimeOver);
     }
+    const int signal = pneuma::cli::receivedSignal();
     complain("stopped on request; nothing was written");
-    return SignalBase + pneuma::cli::receivedSignal();
+    return SignalBase + signal;
   } catch (const std::exception& thrown) {
     return static_cast<int>(told(thrown));
   }

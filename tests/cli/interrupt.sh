@@ -39,6 +39,14 @@ stops TERM 143
 stops HUP 129
 stops XCPU 152
 
+# As a shell or a scheduler limits it: the system tells of the end and ends the process in the same second.
+caseName="ulimit -t"
+cases=$((cases + 1))
+(ulimit -t 4 && exec "$PNEUMA" grow ball.obj --terminals 2000000 -o tree.vtp) >"$logs/out" 2>"$logs/err"
+code=$?
+[ "$code" -eq 152 ] || fail "exit code $code, not 152"
+[ "$(ls -A)" = ball.obj ] || fail "files were left: $(ls -A)"
+
 # Who reads what is printed goes away: nothing half is left, and what was written before is whole.
 succeeds "lobes" sample lobes -q
 caseName="a pipe that nobody reads"
@@ -48,5 +56,14 @@ for what in "breathe lobes -o b.pvd --frames 60 --progress json" "info lobes --j
   { sleep 0.5; "$PNEUMA" $what 2>&1; echo $? >"$logs/code"; } | :
   [ "$(cat "$logs/code")" -eq 141 ] || fail "$what: exit code $(cat "$logs/code"), not 141"
 done
+caseName="a pipe that nobody reads, and TERM after that"
+cases=$((cases + 1))
+"$PNEUMA" grow ball.obj --terminals 1000000 -o tree.vtp -q 2> >(:) &
+process=$!
+sleep 1
+kill -TERM "$process"
+wait "$process"
+code=$?
+[ "$code" -eq 143 ] || fail "exit code $code, not 143"
 expect "files were left: $(ls -A | tr '\n' ' ')" test "$(ls -A | tr '\n' ' ')" = "ball.obj lobes "
 finish
