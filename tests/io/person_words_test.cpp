@@ -29,6 +29,12 @@ TEST(PersonWords, AreLeftOutOfDescriptions) {
       {{{"PatientID", "4711/08"}}, "VB471108", "..."},
       {{{"OtherPatientIDs", "AB-77\\CD-99"}}, "cd99 ab77", "... ..."},
       {{{"PatientBirthDate", "19310213"}}, "13.02.1931 1931-02-13 02/13/31 x", "... ... ... x"},
+      {{{"PatientBirthDate", "19310203"}}, "3.2.1931 2/3/31 3.02.1931 x", "... ... ... x"},
+      {{{"PatientName", "DOE^JANE"}}, "Doe2 D-O-E D.o.e 3JANE", "... ... ... ..."},
+      {{{"PatientName", "ИВАНОВ^X"}}, "Иванов lung", "... lung"},
+      {{{"PatientName", "ŁUKASZ^ŻAK"}}, "łukasz żak Ak", "... ... Ak"},
+      {{{"PatientName", "Doe^Östen"}}, "ÖDoe DoeÖ", "... ..."},
+      {{{"PatientName", "山田^太郎"}}, "胸部山田太郎 CT", "... CT"},
       {{{"OperatorsName", "SMITH^BOB"}}, "BobSmith BSmith bob", "... ... ..."},
   };
   for (const Shown& shown : all) {
@@ -36,17 +42,17 @@ TEST(PersonWords, AreLeftOutOfDescriptions) {
   }
 }
 
-TEST(PersonWords, NamesOfAnyLengthTakeNoTime) {
-  std::string name;
-  std::string numbers;
-  std::string description;
-  for (int i = 0; i < 8000; ++i) {
-    name += "a" + std::to_string(i) + " ";
-    numbers += std::to_string(100000 + i) + "\\";
-    description += "b" + std::to_string(i) + " ";
-  }
-  const Identifiers identifiers = {{"PatientName", name}, {"OtherPatientIDs", numbers}};
-  EXPECT_EQ(withoutPerson(description + "a7999 107999", identifiers), description + "... ...");
+/// Damaged headers, over and over in one description, which thousands of names are compared with.
+TEST(PersonWords, TextsOfAnyLengthAreCut) {
+  const auto repeated = [](const std::string& text, int times) {
+    std::string all;
+    for (int i = 0; i < times; ++i) all += text;
+    return all;
+  };
+  const Identifiers identifiers = {{"PatientName", repeated("ab ", 20000)},
+                                   {"OtherPatientIDs", repeated(repeated("1", 640) + "\\", 100)}};
+  EXPECT_EQ(withoutPerson(repeated("1 ", 30000), identifiers), "..." + repeated(" ...", 511));
+  EXPECT_EQ(withoutPerson(repeated("c", 60000), identifiers), repeated("c", 1024));
 }
 
 TEST(PersonWords, WhatNamesNobodyStays) {

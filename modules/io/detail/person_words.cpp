@@ -1,7 +1,6 @@
 #include "io/detail/person_words.h"
 
 #include <algorithm>
-#include <cctype>
 #include <set>
 #include <sstream>
 #include <string_view>
@@ -11,6 +10,8 @@
 namespace pneuma {
 namespace {
 
+using Text = std::u32string;
+
 constexpr std::size_t ShortestName = 2;    // of the patient, as a word of its own
 constexpr std::size_t ShortestWord = 3;    // of others and of numbers, as a word of its own
 constexpr std::size_t ShortestWithin = 5;  // a name within a longer word
@@ -18,29 +19,53 @@ constexpr std::size_t ShortestNumber = 4;  // within a longer word, or with othe
 constexpr std::size_t ShortestAcross = 6;  // a number across blanks
 constexpr std::size_t MostWords = 16;      // of a name that are looked for within words
 constexpr std::size_t MostNumbers = 100;
+constexpr std::size_t LongestText = 1024;  // bytes; DICOM allows 64 letters, damaged files say more
+constexpr char32_t WithoutBlanks = 0x800;  // scripts from here on need none between words
 
-bool isLetter(char c) {
-  const auto byte = static_cast<unsigned char>(c);
-  return std::isalnum(byte) != 0 || byte >= 0x80U;
+/// In small letters, of the Latin, Greek and Cyrillic alphabets.
+char32_t folded(char32_t c) {
+  const auto within = [c](char32_t first, char32_t last) { return c >= first && c <= last; };
+  if (within('A', 'Z') || (within(0xC0, 0xDE) && c != 0xD7)) return c + 0x20;
+  if (within(0x100, 0x137) || within(0x14A, 0x177)) return c | 1U;
+  if (within(0x139, 0x148) || within(0x179, 0x17E)) return c % 2 == 1 ? c + 1 : c;
+  if (c == 0x178) return 0xFF;
+  if (c == 0x386) return 0x3AC;
+  if (within(0x388, 0x38A)) return c + 0x25;
+  if (c == 0x38C) return 0x3CC;
+  if (within(0x38E, 0x38F)) return c + 0x3F;
+  if (within(0x391, 0x3A9) || within(0x410, 0x42F)) return c + 0x20;
+  if (within(0x400, 0x40F)) return c + 0x50;
+  return c;
 }
 
-/// In small letters, those of Western Europe too (UTF-8).
-std::string folded(std::string text) {
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const auto byte = static_cast<unsigned char>(text[i]);
-    const bool capital = i > 0 && static_cast<unsigned char>(text[i - 1]) == 0xC3U &&
-                         byte >= 0x80U && byte <= 0x9EU && byte != 0x97U;
-    if (capital || (byte >= 'A' && byte <= 'Z')) text[i] = static_cast<char>(byte + 0x20U);
+/// The characters of UTF-8, folded(); what is none is taken byte by byte.
+Text charactersOf(std::string_view text) {
+  Text result;
+  for (std::size_t i = 0; i < text.size();) {
+    const auto lead = static_cast<unsigned char>(text[i]);
+    const std::size_t size = lead < 0xC0U ? 1 : lead < 0xE0U ? 2 : lead < 0xF0U ? 3 : 4;
+    char32_t c = size == 1 ? lead : lead & (0xFFU >> (size + 1));
+    std::size_t taken = 1;
+    while (taken < size && i + taken < text.size() &&
+           (static_cast<unsigned char>(text[i + taken]) & 0xC0U) == 0x80U) {
+      c = c << 6U | (static_cast<unsigned char>(text[i + taken++]) & 0x3FU);
+    }
+    result += folded(taken == size ? c : lead);
+    i += taken;
   }
-  return text;
+  return result;
 }
 
-/// The words of a text, folded().
-std::vector<std::string> wordsOf(const std::string& text) {
-  std::vector<std::string> words;
-  std::string word;
-  for (const char c : folded(text) + ' ') {
-    if (isLetter(c)) {
+bool isDigit(char32_t c) { return c >= '0' && c <= '9'; }
+
+bool isLetter(char32_t c) { return (c >= 'a' && c <= 'z') || c >= 0x80; }
+
+/// The runs of letters and digits of a text.
+std::vector<Text> wordsIn(std::string_view text) {
+  std::vector<Text> words;
+  Text word;
+  for (const char32_t c : charactersOf(text) + U' ') {
+    if (isLetter(c) || isDigit(c)) {
       word += c;
     } else if (!word.empty()) {
       words.push_back(std::exchange(word, {}));
@@ -49,38 +74,46 @@ std::vector<std::string> wordsOf(const std::string& text) {
   return words;
 }
 
-/// Letters and digits alone, folded().
-std::string squeezed(const std::string& text) {
-  std::string result;
-  for (const char c : folded(text)) {
-    if (isLetter(c)) result += c;
-  }
+/// Letters and digits alone.
+Text squeezed(std::string_view text) {
+  Text result = charactersOf(text);
+  std::erase_if(result, [](char32_t c) { return !isLetter(c) && !isDigit(c); });
   return result;
 }
 
+/// Its runs of letters.
+std::vector<Text> withoutDigits(const Text& word) {
+  std::vector<Text> runs(1);
+  for (const char32_t c : word) {
+    if (!isDigit(c)) {
+      runs.back() += c;
+    } else if (!runs.back().empty()) {
+      runs.emplace_back();
+    }
+  }
+  return runs;
+}
+
 struct Person {
-  std::set<std::string> words;     ///< that name them
-  std::vector<std::string> glued;  ///< names, to be found within words
-  std::set<std::string> initials;  ///< two names, or one with an initial, as a word of their own
-  std::vector<std::string> numbers;
+  std::set<Text> words;     ///< that name them: names, two of them, or one with an initial
+  std::vector<Text> glued;  ///< names, to be found within words
+  std::vector<Text> numbers;
 };
 
-void addName(Person& person, const std::string& name, std::size_t shortest) {
-  std::vector<std::string> words = wordsOf(name);
-  for (const std::string& word : words) {
+void addName(Person& person, std::string_view name, std::size_t shortest) {
+  std::vector<Text> words = wordsIn(name);
+  for (const Text& word : words) {
     if (word.size() >= shortest) person.words.insert(word);
   }
   words.resize(std::min(words.size(), MostWords));
-  for (const std::string& word : words) {
+  for (const Text& word : words) {
     if (word.size() >= ShortestWithin) person.glued.push_back(word);
-    for (const std::string& other : words) {
+    for (const Text& other : words) {
       if (&word == &other || word.size() < ShortestName) continue;
       if (word.size() + other.size() >= ShortestWithin && other.size() >= ShortestName) {
         person.glued.push_back(word + other);
       }
-      person.initials.insert(word + other);
-      person.initials.insert(word + other.front());
-      person.initials.insert(other.front() + word);
+      person.words.insert({word + other, word + other.front(), other.front() + word});
     }
   }
 }
@@ -89,25 +122,31 @@ void addName(Person& person, const std::string& name, std::size_t shortest) {
 void addNumbers(Person& person, const std::string& values) {
   std::istringstream stream(values);
   for (std::string value; std::getline(stream, value, '\\');) {
-    for (const std::string& word : wordsOf(value)) {
+    for (const Text& word : wordsIn(value)) {
       if (word.size() >= ShortestWord) person.words.insert(word);
     }
     if (person.numbers.size() >= MostNumbers) continue;
-    const std::string number = squeezed(value);
-    person.numbers.push_back(number.substr(std::min(number.find_first_not_of('0'), number.size())));
+    const Text number = squeezed(value);
+    person.numbers.push_back(
+        number.substr(std::min(number.find_first_not_of(U'0'), number.size())));
   }
 }
 
-/// A date as DICOM writes it, 19310213, in other orders and without the century.
+/// A date as DICOM writes it, 19310213: in other orders, without the century and zeros.
 void addDate(Person& person, const std::string& date) {
   if (date.size() != 8) return;
-  const std::string year = date.substr(0, 4);
-  const std::string month = date.substr(4, 2);
-  const std::string day = date.substr(6, 2);
-  for (const std::string& shown : {year, year.substr(2)}) {
-    person.numbers.push_back(shown + month + day);
-    person.numbers.push_back(day + month + shown);
-    person.numbers.push_back(month + day + shown);
+  const Text all = charactersOf(date);
+  const auto both = [](const Text& two) {
+    return std::vector<Text>{two, two.front() == U'0' ? two.substr(1) : two};
+  };
+  for (const Text& year : {all.substr(0, 4), all.substr(2, 2)}) {
+    for (const Text& month : both(all.substr(4, 2))) {
+      for (const Text& day : both(all.substr(6, 2))) {
+        for (const Text& shown : {year + month + day, day + month + year, month + day + year}) {
+          person.numbers.push_back(shown);
+        }
+      }
+    }
   }
 }
 
@@ -116,31 +155,32 @@ Person personIn(const Identifiers& identifiers) {
   const auto with = [&](std::initializer_list<const char*> keywords, const auto& add) {
     for (const char* keyword : keywords) {
       const auto found = identifiers.find(keyword);
-      if (found != identifiers.end()) add(found->second);
+      if (found != identifiers.end()) add(found->second.substr(0, LongestText));
     }
   };
   with({"PatientName"}, [&](const std::string& name) { addName(person, name, ShortestName); });
   with({"ReferringPhysicianName", "PerformingPhysicianName", "OperatorsName"},
        [&](const std::string& name) { addName(person, name, ShortestWord); });
+  with({"PatientBirthDate"}, [&](const std::string& date) { addDate(person, date); });
   with({"PatientID", "OtherPatientIDs", "AccessionNumber", "PatientBirthDate"},
        [&](const std::string& number) { addNumbers(person, number); });
-  with({"PatientBirthDate"}, [&](const std::string& date) { addDate(person, date); });
   return person;
 }
 
+/// True if a word without blanks names the person.
 bool isNamed(const std::string& word, const Person& person) {
-  const std::string all = squeezed(word);
-  return person.initials.contains(all) ||
-         std::ranges::any_of(person.glued,
-                             [&](const std::string& name) { return all.find(name) != all.npos; }) ||
-         std::ranges::any_of(wordsOf(word), [&](const std::string& part) {
-           if (person.words.contains(part) || person.initials.contains(part)) return true;
-           // Scripts without blanks.
-           return std::ranges::any_of(person.words, [&](const std::string& name) {
-             return static_cast<unsigned char>(name.front()) >= 0xE0U &&
-                    part.find(name) != part.npos;
+  const Text all = squeezed(word);
+  const auto isWithin = [](const Text& longer) {
+    return [&longer](const Text& name) { return longer.find(name) != Text::npos; };
+  };
+  if (person.words.contains(all) || std::ranges::any_of(person.glued, isWithin(all))) return true;
+  const auto isName = [&](const Text& part) { return person.words.contains(part); };
+  return std::ranges::any_of(wordsIn(word), [&](const Text& part) {
+    return isName(part) || std::ranges::any_of(withoutDigits(part), isName) ||
+           std::ranges::any_of(person.words, [&](const Text& name) {
+             return name.front() >= WithoutBlanks && isWithin(part)(name);
            });
-         });
+  });
 }
 
 }  // namespace
@@ -149,18 +189,18 @@ std::string withoutPerson(const std::string& description, const Identifiers& ide
   const Person person = personIn(identifiers);
   std::vector<std::string> words;
   std::vector<bool> named;
-  std::string all;                  // squeezed
-  std::vector<std::size_t> wordAt;  // for each byte of it
-  std::istringstream stream(description);
+  Text all;                         // squeezed
+  std::vector<std::size_t> wordAt;  // for each character of it
+  std::istringstream stream(description.substr(0, LongestText));
   for (std::string word; stream >> word;) {
     all += squeezed(word);
     wordAt.resize(all.size(), words.size());
     named.push_back(isNamed(word, person));
     words.push_back(word);
   }
-  for (const std::string& number : person.numbers) {
+  for (const Text& number : person.numbers) {
     if (number.size() < ShortestNumber) continue;
-    for (std::size_t at = all.find(number); at != all.npos; at = all.find(number, at + 1)) {
+    for (std::size_t at = all.find(number); at != Text::npos; at = all.find(number, at + 1)) {
       const std::size_t first = wordAt[at];
       const std::size_t last = wordAt[at + number.size() - 1];
       if (first != last && number.size() < ShortestAcross) continue;
