@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include "core/error.h"
+#include "io/atomic_file.h"
 #include "io/input_files.h"
 #include "io/piece_files.h"
 #include "io/surface_file.h"
@@ -199,6 +200,7 @@ void OutputSet::addFolder(const fs::path& path) {
                        (error ? ": " + error.message() : std::string()) +
                        "; make its parent first or choose another");
   }
+  syncFolder(path.has_parent_path() ? path.parent_path() : fs::path("."));
   added_.push_back(path);
   noteUnfinished(path);
   notePlaced(path);

@@ -231,9 +231,14 @@ void requireWritable(const fs::path& path, Existing existing) {
   const AtomicFile probe(path, existing);
 }
 
+void syncFolder(const fs::path& folder) noexcept {
+  const Descriptor opened(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (opened.isOpen()) ::fsync(opened.number());
+}
+
 void makeFolder(const fs::path& folder) {
   std::error_code error;
-  fs::create_directories(folder, error);
+  if (fs::create_directories(folder, error)) syncFolder(folderOf(folder));
   if (!error) return;
   throw OutputFailed("the folder " + quoted(folder) + " cannot be made: " + error.message() +
                      "; choose another");

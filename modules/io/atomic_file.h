@@ -14,6 +14,10 @@ enum class Existing { Refuse, Replace };
 /// @throws OutputFailed naming the path and what to do (exists, no folder, read-only, a folder)
 void requireWritable(const std::filesystem::path& path, Existing existing = Existing::Replace);
 
+/// Asks the system to keep the names in a folder, so that they are there after a power cut. Some
+/// file systems cannot; what is in the files is safe without.
+void syncFolder(const std::filesystem::path& folder) noexcept;
+
 /// A folder and those that it stands in, where they are not there. @throws OutputFailed
 void makeFolder(const std::filesystem::path& folder);
 

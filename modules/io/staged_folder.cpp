@@ -13,6 +13,7 @@
 
 #include "core/error.h"
 #include "core/memory_watch.h"
+#include "io/atomic_file.h"
 #include "io/detail/file_access.h"
 #include "io/detail/input_file.h"
 #include "io/unfinished_files.h"
@@ -174,9 +175,10 @@ void StagedFolder::keep(Existing existing) {
     const std::vector<fs::path> files = filesUnder(stage_);
     std::error_code error;
     if (!fs::exists(folder_, error)) {
+      const fs::path parent = parentOf(folder_);
       syncFolder(stage_);
       fs::rename(stage_, folder_, error);
-      if (!error) return syncFolder(parentOf(folder_));
+      if (!error) return syncFolder(parent);
     }
     for (const fs::path& file : files) {
       if (existing == Existing::Refuse && isThere(folder_ / file)) {

@@ -107,8 +107,11 @@ void removeIfAbandoned(int folder, const char* name) {
   if (::fstatat(folder, name, &named, AT_SYMLINK_NOFOLLOW) != 0 || !isOld(named)) return;
   if (!S_ISREG(named.st_mode) && !S_ISDIR(named.st_mode)) return;
   // Network disks (NFS) lock only what is open for writing.
-  const int way = S_ISREG(named.st_mode) ? O_RDWR : O_RDONLY;
-  const Descriptor file(::openat(folder, name, way | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
+  const auto open = [&](int way) {
+    return ::openat(folder, name, way | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+  };
+  const int written = S_ISREG(named.st_mode) ? open(O_RDWR) : -1;
+  const Descriptor file(written >= 0 ? written : open(O_RDONLY));
 
   struct stat opened {};
 

@@ -34,11 +34,6 @@ Descriptor::~Descriptor() {
   if (number_ >= 0) ::close(number_);
 }
 
-void syncFolder(const fs::path& folder) noexcept {
-  const Descriptor opened(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  if (opened.isOpen()) ::fsync(opened.number());
-}
-
 ReadableFile::ReadableFile(const fs::path& path) : path_(path), file_(openedForReading(path)) {
   struct stat information {};
 

@@ -25,10 +25,6 @@ class Descriptor {
   int number_;
 };
 
-/// Asks the system to keep the names in a folder, so that they are there after a power cut. Some
-/// file systems cannot; what is in the files is safe without.
-void syncFolder(const std::filesystem::path& folder) noexcept;
-
 /// A regular file, open for reading piece by piece.
 class ReadableFile {
  public:
