@@ -25,6 +25,7 @@
 #include <string_view>
 
 #include <dlfcn.h>
+#include <execinfo.h>
 #include <fcntl.h>
 #include <link.h>
 #include <pthread.h>
@@ -94,6 +95,33 @@ bool isOwn(const void* caller) {
   return address >= programBegin && address < programEnd;
 }
 
+thread_local bool looking = false;  ///< at the stack, which may allocate
+
+/// True if it is a library that allocates, by the copies of the standard library's functions that
+/// are compiled into the program and that the linker lets libraries share. The call is made by
+/// them.
+bool isOfLibrary() {
+  looking = true;
+  std::array<void*, 64> frames{};
+  const int count = ::backtrace(frames.data(), static_cast<int>(frames.size()));
+  bool shared = false;
+  bool result = false;
+  for (int i = 0; i < count; ++i) {
+    Dl_info place{};
+    const bool known = ::dladdr(frames[i], &place) != 0;
+    if (isOwn(frames[i])) {
+      const std::string_view name = known && place.dli_sname != nullptr ? place.dli_sname : "";
+      shared = name.starts_with("_ZNSt") || name.starts_with("_ZNKSt") || name.starts_with("_ZSt");
+      if (!shared) break;
+    } else if (shared && std::strstr(known ? place.dli_fname : "", "libstdc++") == nullptr) {
+      result = true;
+      break;
+    }
+  }
+  looking = false;
+  return result;
+}
+
 /// Counts a call. True if this one fails.
 bool counts() {
   const std::uint64_t n = report->counted.fetch_add(1) + 1;
@@ -139,7 +167,11 @@ bool failsAtFile(Call kind, int file) {
 bool failsToAllocate(std::size_t bytes, const void* caller) {
   if (!armed.load(std::memory_order_relaxed)) return false;
   if (call == Call::Allocation) return bytes >= leastBytes && counts();
-  return call == Call::OwnAllocation && bytes >= leastBytes && isOwn(caller) && counts();
+  if (call != Call::OwnAllocation || bytes < leastBytes || !isOwn(caller) || looking) return false;
+  if (!counts()) return false;
+  if (!isOfLibrary()) return true;
+  report->failed.fetch_sub(1);
+  return false;
 }
 
 int (*realMain)(int, char**, char**) = nullptr;
