@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Dockerfile and Flatpak manifest, as far as they can be looked at without Docker and flatpak-builder: what they take
+# Dockerfile and Flatpak manifest, as far as they can be looked at without Docker and a Flatpak runtime: what they take
 # is there, what they allow is no more than drawing, what they download has a checksum; and the container's entry works.
 set -u
 ROOT=$(cd "$(dirname "$0")/../.." && pwd)
