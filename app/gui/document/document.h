@@ -70,7 +70,9 @@ class Document : public QObject {
 
   /// True while lungs are looked for, airways grown, a case exported or its report written.
   bool findingLungs() const { return findingLungs_; }
+
   bool growing() const { return growing_; }
+
   bool exporting() const { return exporting_; }
 
   /// True if there are whole lungs to split into lobes.
@@ -78,6 +80,7 @@ class Document : public QObject {
 
   /// True while the lungs are being split, and while fissures are looked for in the CT.
   bool splitting() const { return lobeJob_ == LobeJob::Splitting; }
+
   bool lookingForFissures() const { return lobeJob_ == LobeJob::Looking; }
 
   /// Why fissures cannot be snapped to what shows in the CT; empty if they can.
@@ -94,8 +97,7 @@ class Document : public QObject {
 
   void setBreatheOptions(const BreatheOptions& options);
 
-  /// Moves the lungs by constants that `pneuma estimate` fitted to this person, read as a job, or
-  /// by the preset's again.
+  /// Moves the lungs by constants of `pneuma estimate`, read as a job, or by the preset's again.
   void openConstants(const std::filesystem::path& path);
   void forgetConstants();
 
@@ -228,8 +230,7 @@ class Document : public QObject {
   /// measures them: what is shown stays. Those that are there already are told of at once.
   void compareMethods();
 
-  /// The trees of compareMethods(); null if there are none, or lobes and central airways are others
-  /// now.
+  /// The trees of compareMethods(); null if there are none, or none of these lobes and airways.
   const std::shared_ptr<const MethodComparison>& comparison() const { return comparison_; }
 
   /// True while trees are grown to be compared.
@@ -406,8 +407,7 @@ class Document : public QObject {
   /// False, and says so, if fissures cannot be edited because of another job.
   bool mayEdit();
   bool sheetsKnown() const;
-  /// Forgets compared trees that grew in other lobes, or from other central airways, than there
-  /// are.
+  /// Forgets compared trees that grew in other lobes, or from other central airways.
   void dropComparison();
   /// Makes the snapshot's regions those of the next breath.
   void followRegions();
