@@ -164,10 +164,14 @@ void MainWindow::updateSteps() {
                      counted(tree->size(), "branch", "branches"));
   }
   updateBreathingStep();
-  steps_[ExportStep]->setState(document_.exporting()   ? StepState::Running
-                               : document_.treeSaved() ? StepState::Done
-                                                       : StepState::ToDo,
-                               document_.treeSaved() ? tr("tree saved") : QString());
+  StepButton& exporting = *steps_[ExportStep];
+  if (document_.exporting()) {
+    exporting.setState(StepState::Running, {});
+  } else if (document_.treeSaved()) {
+    exporting.setState(StepState::Done, tr("tree saved"));
+  } else {
+    exporting.setState(StepState::ToDo, {});
+  }
 }
 
 void MainWindow::updateLobesStep() {
