@@ -42,7 +42,7 @@ stops XCPU 152
 # As a shell or a scheduler limits it: the system tells of the end and ends the process in the same second.
 caseName="ulimit -t"
 cases=$((cases + 1))
-(ulimit -t 4 && exec "$PNEUMA" grow ball.obj --terminals 2000000 -o tree.vtp) >"$logs/out" 2>"$logs/err"
+(ulimit -t 4 && exec "$PNEUMA" grow ball.obj --terminals 2000000 -o tree.vtp -j 1) >"$logs/out" 2>"$logs/err"
 code=$?
 [ "$code" -eq 152 ] || fail "exit code $code, not 152"
 [ "$(ls -A)" = ball.obj ] || fail "files were left: $(ls -A)"
