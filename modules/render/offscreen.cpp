@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <mutex>
 #include <optional>
 #include <string>
 
@@ -7,6 +8,7 @@
 #include <vtkNew.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
 #include <vtkUnsignedCharArray.h>
 
 #include "core/error.h"
@@ -78,6 +80,9 @@ Picture reduced(const std::uint8_t* pixels, int width, int height, int factor) {
 }
 
 /// A scene in a window that nobody sees, as long as this lives.
+///
+/// Threads draw in turns: Mesa's software rasterizer frees memory twice, once in some hundred
+/// times, where one thread ends a context while another makes or ends one.
 class Offscreen {
  public:
   /// @param factor draws so many times larger, and averages
@@ -96,19 +101,19 @@ class Offscreen {
     scene.updateAnnotations();
   }
 
+  ~Offscreen() {
+    const std::lock_guard turn(turns());
+    visit_.reset();
+    window_ = nullptr;
+  }
+
+  Offscreen(const Offscreen&) = delete;
+  Offscreen& operator=(const Offscreen&) = delete;
+
   /// What the scene's camera sees now.
   Picture draw() {
-    VtkMessages messages;
-    window_->Render();
     vtkNew<vtkUnsignedCharArray> pixels;
-    window_->GetPixelData(0, 0, width_ * factor_ - 1, height_ * factor_ - 1, 0, pixels);
-    const vtkIdType expected = static_cast<vtkIdType>(width_) * height_ * factor_ * factor_ * 3;
-    const std::string error = messages.firstError();
-    if (!error.empty() || pixels->GetNumberOfValues() != expected) {
-      throw NoRendering("OpenGL could not draw the picture (" +
-                        (error.empty() ? std::string("no pixels came back") : error) +
-                        "); try a smaller --size, or LIBGL_ALWAYS_SOFTWARE=1 under xvfb-run -a");
-    }
+    drawInto(*pixels);
     return reduced(pixels->GetPointer(0), width_, height_, factor_);
   }
 
@@ -124,11 +129,31 @@ class Offscreen {
   }
 
  private:
+  /// Contexts of OpenGL are made by the first draw() of a window and end with it.
+  static std::mutex& turns() {
+    static std::mutex mutex;
+    return mutex;
+  }
+
+  void drawInto(vtkUnsignedCharArray& pixels) {
+    const std::lock_guard turn(turns());
+    VtkMessages messages;
+    window_->Render();
+    window_->GetPixelData(0, 0, width_ * factor_ - 1, height_ * factor_ - 1, 0, &pixels);
+    const vtkIdType expected = static_cast<vtkIdType>(width_) * height_ * factor_ * factor_ * 3;
+    const std::string error = messages.firstError();
+    if (!error.empty() || pixels.GetNumberOfValues() != expected) {
+      throw NoRendering("OpenGL could not draw the picture (" +
+                        (error.empty() ? std::string("no pixels came back") : error) +
+                        "); try a smaller --size, or LIBGL_ALWAYS_SOFTWARE=1 under xvfb-run -a");
+    }
+  }
+
   vtkCamera& camera_;
   int width_;
   int height_;
   int factor_;
-  vtkNew<vtkRenderWindow> window_;
+  vtkSmartPointer<vtkRenderWindow> window_ = vtkSmartPointer<vtkRenderWindow>::New();
   std::optional<Visit> visit_;
 };
 

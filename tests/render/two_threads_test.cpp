@@ -1,4 +1,5 @@
 #include <atomic>
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <thread>
@@ -8,7 +9,9 @@
 #include <vtkNew.h>
 #include <vtkObject.h>
 #include <vtkPolyData.h>
+#include <vtkRenderWindow.h>
 #include <vtkTimerLog.h>
+#include <vtkUnsignedCharArray.h>
 
 #include "render/drawing.h"
 #include "render/generated_lungs.h"
@@ -34,16 +37,21 @@ std::vector<Picture> textsDrawn() {
   return pictures;
 }
 
+/// How many pictures, drawn `rounds` times, differ from those before.
+int differentFrom(const std::vector<Picture>& before, std::vector<Picture> (*draw)(), int rounds) {
+  int different = 0;
+  for (int round = 0; round < rounds; ++round) {
+    const std::vector<Picture> now = draw();
+    for (std::size_t i = 0; i < now.size(); ++i) different += now[i].rgb != before[i].rgb;
+  }
+  return different;
+}
+
 /// How many pictures that two threads draw at once, `rounds` times each, differ from those of one.
 int differentAtOnce(std::vector<Picture> (*draw)(), int rounds) {
   const std::vector<Picture> alone = draw();
   std::atomic<int> different = 0;
-  const auto compareAll = [&] {
-    for (int round = 0; round < rounds; ++round) {
-      const std::vector<Picture> now = draw();
-      for (std::size_t i = 0; i < now.size(); ++i) different += now[i].rgb != alone[i].rgb;
-    }
-  };
+  const auto compareAll = [&] { different += differentFrom(alone, draw, rounds); };
   {
     const std::jthread other(compareAll);
     compareAll();
@@ -70,6 +78,43 @@ TEST(TwoThreads, DrawScenesAtOnce) {
   EXPECT_EQ(differentAtOnce(&scenesDrawn, 3), 0);
   EXPECT_EQ(vtkTimerLog::GetNumberOfEvents(), 0)
       << "the log is one for all threads, without a lock";
+}
+
+/// As the program's window does, which keeps its context while films and reports are drawn.
+TEST(TwoThreads, AWindowIsDrawnWhilePicturesAre) {
+  vtkTimerLog::ResetLog();
+  const std::vector<Picture> alone = scenesDrawn();
+  Scene scene;
+  const vtkNew<vtkRenderWindow> window;
+  window->SetOffScreenRendering(1);
+  window->SetSize(200, 150);
+  scene.attachTo(window);
+  const auto pixelsOfNewContent = [&] {
+    scene.setSurfaces(test::generatedLobes());
+    scene.setTree(test::generatedTree(3));
+    scene.updateAnnotations();
+    const vtkNew<vtkUnsignedCharArray> pixels;
+    window->Render();
+    window->GetPixelData(0, 0, 199, 149, 0, pixels);
+    return std::vector<std::uint8_t>(pixels->Begin(), pixels->End());
+  };
+  const std::vector<std::uint8_t> before = pixelsOfNewContent();
+  std::atomic<bool> drawn = false;
+  int different = 0;
+  bool same = true;
+  {
+    const std::jthread other([&] {
+      different = differentFrom(alone, &scenesDrawn, 3);
+      drawn = true;
+    });
+    do {
+      same = pixelsOfNewContent() == before && same;
+    } while (!drawn);
+  }
+  scene.attachTo(nullptr);
+  EXPECT_EQ(different, 0);
+  EXPECT_TRUE(same);
+  EXPECT_EQ(vtkTimerLog::GetNumberOfEvents(), 0);
 }
 
 void say(const std::string& what) {
