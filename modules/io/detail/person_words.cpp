@@ -186,6 +186,7 @@ bool isNamed(const std::string& word, const Person& person) {
 }  // namespace
 
 std::string withoutPerson(const std::string& description, const Identifiers& identifiers) {
+  if (description.empty()) return {};
   const Person person = personIn(identifiers);
   std::vector<std::string> words;
   std::vector<bool> named;
