@@ -200,7 +200,7 @@ void OutputSet::addFolder(const fs::path& path) {
                        (error ? ": " + error.message() : std::string()) +
                        "; make its parent first or choose another");
   }
-  syncFolder(path.has_parent_path() ? path.parent_path() : fs::path("."));
+  syncFolder(folderOf(path));
   added_.push_back(path);
   noteUnfinished(path);
   notePlaced(path);

@@ -23,11 +23,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path folderOf(const fs::path& path) {
-  const fs::path folder = path.parent_path();
-  return folder.empty() ? fs::path(".") : folder;
-}
-
 /// A path without the folders that files are written aside into.
 fs::path withoutAside(const fs::path& path) {
   fs::path shown;
@@ -229,6 +224,11 @@ void AtomicFile::commit() {
 void requireWritable(const fs::path& path, Existing existing) {
   // Permissions, read-only disks and odd file systems: trying is the one sure test.
   const AtomicFile probe(path, existing);
+}
+
+fs::path folderOf(const fs::path& path) {
+  const fs::path folder = path.parent_path();
+  return folder.empty() ? fs::path(".") : folder;
 }
 
 void syncFolder(const fs::path& folder) noexcept {

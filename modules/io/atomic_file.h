@@ -14,6 +14,9 @@ enum class Existing { Refuse, Replace };
 /// @throws OutputFailed naming the path and what to do (exists, no folder, read-only, a folder)
 void requireWritable(const std::filesystem::path& path, Existing existing = Existing::Replace);
 
+/// The folder that a path stands in, as it is written; "." if it names none.
+std::filesystem::path folderOf(const std::filesystem::path& path);
+
 /// Asks the system to keep the names in a folder, so that they are there after a power cut. Some
 /// file systems cannot; what is in the files is safe without.
 void syncFolder(const std::filesystem::path& folder) noexcept;

@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "io/atomic_file.h"
 #include "io/detail/dicom_header.h"
 #include "io/detail/text_fields.h"
 #include "io/detail/unzipped.h"
@@ -71,8 +72,7 @@ Source sourceOf(const fs::path& path, const Progress& progress) {
   } else if (!fs::is_regular_file(path, error)) {
     throw InputMissing(quoted(path) + " is a device or a pipe; name a file");
   } else {
-    const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
-    addFiles(source, folder, 0, progress);
+    addFiles(source, folderOf(path), 0, progress);
   }
   return source;
 }

@@ -29,10 +29,6 @@ fs::path withoutSlash(fs::path folder) {
   return folder.has_filename() ? folder : folder.parent_path();
 }
 
-fs::path parentOf(const fs::path& path) {
-  return path.has_parent_path() ? path.parent_path() : fs::path(".");
-}
-
 bool isThere(const fs::path& path) {
   return fs::symlink_status(path).type() != fs::file_type::not_found;
 }
@@ -45,7 +41,7 @@ fs::path newStage(const fs::path& folder) {
     throw OutputFailed("'" + folder.string() + "' is a file, not a folder; choose another name");
   }
   const fs::path parent = there ? folder : folder.parent_path();
-  removeAbandoned(there ? folder : parentOf(folder));
+  removeAbandoned(there ? folder : folderOf(folder));
   for (int n = 0; n < 100; ++n) {
     const fs::path stage = parent / nameAside(StageEnding);
     if (fs::create_directory(stage, error)) {
@@ -93,8 +89,8 @@ class Moves {
   /// After a power cut, too, the files are there.
   void sync() const {
     std::set<fs::path> folders;
-    for (const Move& move : done_) folders.insert(parentOf(to_ / move.file));
-    for (const fs::path& folder : made_) folders.insert(parentOf(folder));
+    for (const Move& move : done_) folders.insert(folderOf(to_ / move.file));
+    for (const fs::path& folder : made_) folders.insert(folderOf(folder));
     for (const fs::path& folder : folders) syncFolder(folder);
   }
 
@@ -175,7 +171,7 @@ void StagedFolder::keep(Existing existing) {
     const std::vector<fs::path> files = filesUnder(stage_);
     std::error_code error;
     if (!fs::exists(folder_, error)) {
-      const fs::path parent = parentOf(folder_);
+      const fs::path parent = folderOf(folder_);
       syncFolder(stage_);
       fs::rename(stage_, folder_, error);
       if (!error) return syncFolder(parent);

@@ -142,7 +142,7 @@ PictureList readPictureList(const std::filesystem::path& path) {
   std::error_code error;
   PictureList list;
   if (fs::is_regular_file(path, error)) {
-    list.folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+    list.folder = folderOf(path);
     list.file = path;
   } else if (fs::is_directory(path, error)) {
     list.folder = path;

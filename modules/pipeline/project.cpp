@@ -195,7 +195,7 @@ void putCt(Project& project, const std::shared_ptr<const CtImage>& ct,
   });
 }
 
-fs::path folderOf(const fs::path& path) {
+fs::path absoluteFolderOf(const fs::path& path) {
   std::error_code error;
   return fs::absolute(path, error).parent_path();
 }
@@ -319,12 +319,12 @@ void replaceCtSource(Project& project, const std::shared_ptr<const CtSource>& be
 void writeProject(const fs::path& path, const Project& project, const Progress& progress) {
   requireWritable(path);
   const auto members =
-      projectMembers(project, folderOf(path), progress.part(0.0, 0.5, "gathering"));
+      projectMembers(project, absoluteFolderOf(path), progress.part(0.0, 0.5, "gathering"));
   writeArchive(path, members, progress.part(0.5, 1.0, "writing"));
 }
 
 Project readProject(const fs::path& path, const Progress& progress) {
-  return projectOf(readArchive(path, progress.part(0.0, 0.5, "reading")), folderOf(path),
+  return projectOf(readArchive(path, progress.part(0.0, 0.5, "reading")), absoluteFolderOf(path),
                    "'" + path.string() + "'", progress.part(0.5, 1.0, "putting together"));
 }
 
