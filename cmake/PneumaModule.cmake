@@ -118,6 +118,20 @@ function(pneuma_add_module name)
   endif()
 endfunction()
 
+# pneuma_time_limit(<variable> <seconds> [FULL s] [SANITIZED s])
+# How long a test may take: longer where PNEUMA_FULL_TESTS or sanitizers give it more to do.
+function(pneuma_time_limit variable seconds)
+  cmake_parse_arguments(PARSE_ARGV 2 arg "" "FULL;SANITIZED" "")
+  set(most ${seconds})
+  if(PNEUMA_FULL_TESTS AND arg_FULL)
+    set(most ${arg_FULL})
+  endif()
+  if(PNEUMA_SANITIZE AND arg_SANITIZED AND arg_SANITIZED GREATER most)
+    set(most ${arg_SANITIZED})
+  endif()
+  set(${variable} ${most} PARENT_SCOPE)
+endfunction()
+
 # pneuma_add_test(<name> SOURCES ... LINK ... [LABELS ...] [TOGETHER ...] [RENDER] [UNITE] [QUICK])
 # One GoogleTest executable; its cases become CTest tests "<name>/Suite.Case".
 # TOGETHER: suites whose cases share what takes long to make: each is one test "<name>/Suite", one process.
@@ -148,10 +162,7 @@ function(pneuma_add_test name)
     # One process for all cases: starting an X server for each would cost more than the cases.
     add_test(NAME ${name} COMMAND ${PNEUMA_XVFB_RUN} -a -s "-screen 0 1600x1000x24"
                                   $<TARGET_FILE:${target}>)
-    set(most 600)
-    if(PNEUMA_FULL_TESTS) # more actions and cycles
-      set(most 7200)
-    endif()
+    pneuma_time_limit(most 600 FULL 7200) # more actions and cycles
     set_tests_properties(${name} PROPERTIES LABELS "${name};render;${arg_LABELS}" TIMEOUT ${most}
                          ENVIRONMENT "${PNEUMA_TEST_ENVIRONMENT}")
   else()
