@@ -127,6 +127,14 @@ TEST_F(FissureSnappingTest, DrawsProposalsPointsAndLobesOntoTheFissures) {
   EXPECT_LT(awayFromTruth(Fissure::LeftOblique), 0.7);
   EXPECT_EQ(document.sheets(Side::Left), sheets);  // looked for once
 
+  // Taken back while the fissure still follows it.
+  editor.addPoint(Vec3(75.0, 0.0, 20.0));
+  ASSERT_TRUE(document.jobs().busy());
+  document.undo();
+  ASSERT_TRUE(idle());
+  EXPECT_EQ(document.undoName(), "snap to the CT");
+  EXPECT_LT(awayFromTruth(Fissure::LeftOblique), 0.7);
+
   // Points that are set 2 mm off lie on the fissure, at once and while they are dragged.
   for (const Vec3& place : {Vec3(55.0, -40.0, 0.0), Vec3(90.0, -35.0, 0.0), Vec3(60.0, 30.0, 0.0),
                             Vec3(95.0, 25.0, 0.0), Vec3(75.0, 0.0, 0.0), Vec3(72.0, 45.0, 0.0)}) {

@@ -136,6 +136,79 @@ TEST(JobQueue, ACancelAfterTheWorkIsDoneStillWins) {
   EXPECT_FALSE(delivered);
 }
 
+TEST(JobQueue, KnowsWhichKindsOfJobsItHas) {
+  JobQueue queue;
+  std::atomic<bool> go = false;
+  bool stillThere = true;
+  const auto untilGo = [&](const Progress&) {
+    while (!go) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    return JobQueue::Continuation([&] { stillThere = queue.has(JobKind::Growing); });
+  };
+  queue.push(JobKind::Growing, "Growing", untilGo);
+  queue.push(JobKind::DrawingSeries, "Drawing", untilGo);
+  queue.push(JobKind::DrawingSeries, "Drawing", endless);
+  EXPECT_TRUE(queue.has(JobKind::Growing));
+  EXPECT_FALSE(queue.has(JobKind::Breathing));
+  go = true;
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !stillThere; }, 10000));
+  EXPECT_TRUE(queue.has(JobKind::DrawingSeries)) << "one of two may be over";
+  queue.cancel();
+  EXPECT_TRUE(queue.has(JobKind::DrawingSeries)) << "it takes a moment to stop";
+  ASSERT_TRUE(waitUntilIdle(queue));
+  EXPECT_FALSE(queue.has(JobKind::DrawingSeries));
+  queue.push(JobKind::Exporting, "Exporting",
+             [](const Progress&) -> JobQueue::Continuation { throw std::bad_alloc(); });
+  ASSERT_TRUE(waitUntilIdle(queue));
+  EXPECT_FALSE(queue.has(JobKind::Exporting));
+}
+
+TEST(JobQueue, NothingIsToldOfWhatIsSuperseded) {
+  JobQueue queue;
+  const QSignalSpy cancelled(&queue, &JobQueue::cancelled);
+  const QSignalSpy finished(&queue, &JobQueue::finished);
+  const auto nothing = [](const Progress&) { return JobQueue::Continuation(); };
+  queue.push(JobKind::Splitting, "first", endless);
+  queue.push(JobKind::Splitting, "second", nothing);
+  queue.supersede({JobKind::Splitting, JobKind::Breathing});
+  EXPECT_FALSE(queue.has(JobKind::Splitting));
+  EXPECT_FALSE(queue.hasOthersThan({}));
+  EXPECT_TRUE(queue.busy());
+  queue.push(JobKind::Splitting, "third", nothing);
+  EXPECT_TRUE(queue.has(JobKind::Splitting));
+  ASSERT_TRUE(waitUntilIdle(queue));
+  EXPECT_FALSE(queue.has(JobKind::Splitting));
+  EXPECT_EQ(cancelled.count(), 0);
+  ASSERT_EQ(finished.count(), 1);
+  EXPECT_EQ(finished.front().at(0).toString(), "third");
+}
+
+TEST(JobQueue, OthersGoOnWhereAKindIsSuperseded) {
+  JobQueue queue;
+  const QSignalSpy cancelled(&queue, &JobQueue::cancelled);
+  std::atomic<bool> computed = false;
+  int delivered = 0;
+  const auto deliver = [&] {
+    ++delivered;
+    queue.supersede({JobKind::DrawingSeries});  // whose result lies ready, too
+  };
+  queue.push("Saving", [&](const Progress&) { return JobQueue::Continuation(deliver); });
+  queue.push(JobKind::DrawingSeries, "Drawing", [&](const Progress&) {
+    computed = true;
+    return JobQueue::Continuation([&] { delivered += 100; });
+  });
+  while (!computed) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  queue.push(JobKind::FollowingLungs, "Following", endless);
+  queue.push("Saving", [&](const Progress&) { return JobQueue::Continuation(deliver); });
+  EXPECT_TRUE(queue.hasOthersThan({JobKind::FollowingLungs, JobKind::DrawingSeries}));
+  EXPECT_FALSE(
+      queue.hasOthersThan({JobKind::Other, JobKind::FollowingLungs, JobKind::DrawingSeries}));
+  queue.supersede({JobKind::FollowingLungs});
+  ASSERT_TRUE(waitUntilIdle(queue));
+  EXPECT_EQ(delivered, 2);
+  EXPECT_EQ(cancelled.count(), 0);
+}
+
 TEST(JobQueue, WorksAgainAfterACancel) {
   JobQueue queue;
   queue.push("first", endless);

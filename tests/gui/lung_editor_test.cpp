@@ -251,6 +251,24 @@ TEST_F(LungEditorTest, AProjectKeepsCorrectionsAndTheirSteps) {
   EXPECT_EQ(again.model().labels->voxels, document.model().labels->voxels);
 }
 
+TEST_F(LungEditorTest, LobesAreThoseOfCorrectedLungsThatAreStillDrawn) {
+  openChest(document);
+  editor.setChoice(LungEditor::Choice::Right);
+  editor.setRadius(20.0);
+  draw(Tool::Brush, BesideLungs, BesideLungs);
+  ASSERT_TRUE(document.followingLungs());
+  document.splitLobes();
+  EXPECT_FALSE(document.canUndo());
+  ASSERT_TRUE(idle(document));
+  ASSERT_NE(document.model().lobes, nullptr);
+  EXPECT_TRUE(document.snapshot().lungsFollow());
+  EXPECT_EQ(document.undoName(), "split lungs into lobes");
+  document.undo();
+  EXPECT_EQ(document.undoName(), "paint right lung");
+  ASSERT_TRUE(idle(document));
+  EXPECT_TRUE(document.snapshot().lungsFollow());
+}
+
 TEST_F(LungEditorTest, WhatWasNotDrawnYetIsDrawnAfterOpening) {
   openChest(document);
   editor.setChoice(LungEditor::Choice::Right);

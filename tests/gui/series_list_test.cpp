@@ -216,11 +216,16 @@ TEST_F(SeriesListTest, DrawingIsGivenUpForWhatIsOpened) {
   writeChest(place() / "thick", ThickUid, 5.0);
   writeChest(place() / "thin", ThinUid, 2.5);
   open();
+  const QSignalSpy said(&document, &Document::said);
   for (int i = 0; i < 50; ++i) document.drawSeries(asked.at(0));
   document.openSeries(asked[0], 0, false);
   EXPECT_FALSE(document.drawingSeries());
   wait();
   EXPECT_NE(document.model().ct, nullptr);
+  for (const auto& sentence : said) {
+    EXPECT_FALSE(sentence.at(0).toString().contains("stopped"))
+        << qPrintable(sentence.at(0).toString());
+  }
 }
 
 }  // namespace

@@ -40,30 +40,10 @@ Snapshot withoutMadeLabels(Snapshot snapshot) {
 Document::Document(QObject* parent) : QObject(parent) {
   for (const GrowthMethod& method : growthMethods()) optionsOf_.push_back(method.defaults);
   connect(&jobs_, &JobQueue::failed, this, &Document::fail);
-  connect(&jobs_, &JobQueue::cancelled, this, [this](const QString& title) {
-    if (title == followingTitle()) {
-      if (supersededFollowing_ > 0) {
-        --supersededFollowing_;
-        return;
-      }
-      followingLungs_ = false;
-      emit said(tr("Stopped: surfaces and volumes are those from before the correction"));
-      return;
-    }
-    if (std::exchange(superseded_, false)) return;
-    emit said(tr("%1: stopped, nothing was changed").arg(title));
-  });
-  connect(&jobs_, &JobQueue::busyChanged, this, [this](bool busy) {
-    if (busy) return;
-    lobeJob_ = LobeJob::None;
-    findingLungs_ = false;
-    growing_ = false;
-    breathing_ = false;
-    exporting_ = false;
-    followingLungs_ = false;
-    correctingLungs_ = false;
-    drawingSeries_ = false;
-    comparing_ = false;
+  connect(&jobs_, &JobQueue::cancelled, this, [this](const QString& title, JobKind kind) {
+    emit said(kind == JobKind::FollowingLungs
+                  ? tr("Stopped: surfaces and volumes are those from before the correction")
+                  : tr("%1: stopped, nothing was changed").arg(title));
   });
   connect(this, &Document::changed, this, &Document::dropComparison);
   // Whether something can be undone depends on the queue being idle.
@@ -151,28 +131,29 @@ bool Document::lungsOutOfDate() const {
 }
 
 void Document::findLungs(StepKind kind) {
-  findingLungs_ = true;
-  jobs_.push(tr("Finding lungs"), [this, kind, model = snapshot_.model, name = snapshot_.name,
-                                   options = lungOptions_](const Progress& progress) {
-    const auto start = std::chrono::steady_clock::now();
-    const LungModel found = withLungs(model, options, progress.part(0.0, 0.7, "looking for air"));
-    Snapshot next =
-        snapshotOf(withSurfaces(found, {}, progress.part(0.7, 0.95, "drawing surfaces")), name);
-    next.lungOptions = options;
-    return JobQueue::Continuation(
-        [this, kind, next = std::move(next), seconds = secondsSince(start)] {
-          emit said(tr("Found the lungs in %1: right %2, left %3")
-                        .arg(withUnit(seconds, 1, "s"),
-                             withUnit(next.model.lungs->right.volumeMl, 0, "mL"),
-                             withUnit(next.model.lungs->left.volumeMl, 0, "mL")));
-          become(next, tr("find lungs"), kind);
-        });
-  });
+  jobs_.push(JobKind::FindingLungs, tr("Finding lungs"),
+             [this, kind, model = snapshot_.model, name = snapshot_.name,
+              options = lungOptions_](const Progress& progress) {
+               const auto start = std::chrono::steady_clock::now();
+               const LungModel found =
+                   withLungs(model, options, progress.part(0.0, 0.7, "looking for air"));
+               Snapshot next = snapshotOf(
+                   withSurfaces(found, {}, progress.part(0.7, 0.95, "drawing surfaces")), name);
+               next.lungOptions = options;
+               return JobQueue::Continuation(
+                   [this, kind, next = std::move(next), seconds = secondsSince(start)] {
+                     emit said(tr("Found the lungs in %1: right %2, left %3")
+                                   .arg(withUnit(seconds, 1, "s"),
+                                        withUnit(next.model.lungs->right.volumeMl, 0, "mL"),
+                                        withUnit(next.model.lungs->left.volumeMl, 0, "mL")));
+                     become(next, tr("find lungs"), kind);
+                   });
+             });
 }
 
 void Document::grow() {
-  growing_ = true;
-  jobs_.push(tr("Growing airways"),
+  if (waitsForLungs([this] { grow(); })) return;
+  jobs_.push(JobKind::Growing, tr("Growing airways"),
              [this, before = snapshot_, options = growthOptions()](const Progress& progress) {
                Snapshot next = nextSnapshot(before, pneuma::grow(before.model, options, progress));
                return JobQueue::Continuation([this, next = std::move(next)] {
@@ -246,7 +227,7 @@ void Document::forgetOldSteps() {
 
 void Document::undo() {
   if (!canUndo()) return;
-  stopFollowingLungs();
+  stopFollowing();
   Step step = std::move(undo_.back());
   undo_.pop_back();
   redo_.push_back(
@@ -261,7 +242,7 @@ void Document::undo() {
 
 void Document::redo() {
   if (!canRedo()) return;
-  stopFollowingLungs();
+  stopFollowing();
   Step step = std::move(redo_.back());
   redo_.pop_back();
   undo_.push_back(

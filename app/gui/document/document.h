@@ -69,19 +69,19 @@ class Document : public QObject {
   bool lungsOutOfDate() const;
 
   /// True while lungs are looked for, airways grown, a case exported or its report written.
-  bool findingLungs() const { return findingLungs_; }
+  bool findingLungs() const { return jobs_.has(JobKind::FindingLungs); }
 
-  bool growing() const { return growing_; }
+  bool growing() const { return jobs_.has(JobKind::Growing); }
 
-  bool exporting() const { return exporting_; }
+  bool exporting() const { return jobs_.has(JobKind::Exporting); }
 
   /// True if there are whole lungs to split into lobes.
   bool canSplit() const { return !snapshot_.lungs.empty(); }
 
   /// True while the lungs are being split, and while fissures are looked for in the CT.
-  bool splitting() const { return lobeJob_ == LobeJob::Splitting; }
+  bool splitting() const { return jobs_.has(JobKind::Splitting); }
 
-  bool lookingForFissures() const { return lobeJob_ == LobeJob::Looking; }
+  bool lookingForFissures() const { return jobs_.has(JobKind::LookingForFissures); }
 
   /// Why fissures cannot be snapped to what shows in the CT; empty if they can.
   QString snapObstacle() const;
@@ -119,7 +119,7 @@ class Document : public QObject {
   bool canBreathe() const;
 
   /// True while a breath is made.
-  bool breathing() const { return breathing_; }
+  bool breathing() const { return jobs_.has(JobKind::Breathing); }
 
   /// True if the breath shown was made with other options than those set now.
   bool breathOutOfDate() const;
@@ -151,7 +151,7 @@ class Document : public QObject {
   /// Gives up drawing series, if it does. Whatever is opened does that.
   void stopDrawing();
 
-  bool drawingSeries() const { return drawingSeries_; }
+  bool drawingSeries() const { return jobs_.has(JobKind::DrawingSeries); }
 
   /// True if the CT of the project was not where it was, or was another.
   bool ctMissing() const { return snapshot_.model.ctSource && !snapshot_.model.ct; }
@@ -188,7 +188,7 @@ class Document : public QObject {
   void saveLungEdits(const std::filesystem::path& path);
 
   /// True while surfaces and figures follow corrections of the lungs.
-  bool followingLungs() const { return followingLungs_; }
+  bool followingLungs() const { return jobs_.has(JobKind::FollowingLungs); }
 
   /// Makes surfaces and figures those of the corrected lungs, if they are not, as a job. Not while
   /// another job changes them.
@@ -234,7 +234,7 @@ class Document : public QObject {
   const std::shared_ptr<const MethodComparison>& comparison() const { return comparison_; }
 
   /// True while trees are grown to be compared.
-  bool comparing() const { return comparing_; }
+  bool comparing() const { return jobs_.has(JobKind::Comparing); }
 
   /// Makes one of the compared trees the case's, and its options those of the next growth. Can be
   /// undone. Not while a job runs.
@@ -359,22 +359,21 @@ class Document : public QObject {
   /// Whether a step only brings in what is in files anyway.
   enum class StepKind { Work, Opening };
 
-  /// What the jobs do for the fissures; None if something else runs, or nothing.
-  enum class LobeJob { None, Looking, Tracing, Splitting };
-
   struct Step {
     QString name;
     Snapshot snapshot;
   };
 
   void findLungs(StepKind kind);
-  /// Of the job that follows corrections of the lungs.
-  static QString followingTitle();
 
-  /// True if nothing runs but what follows corrections of the lungs.
-  bool idle() const { return !jobs_.busy() || (followingLungs_ && !correctingLungs_); }
+  /// True if nothing runs but what follows from what is shown, which stopFollowing() ends.
+  bool idle() const {
+    return !jobs_.hasOthersThan({JobKind::FollowingLungs, JobKind::TracingFissures});
+  }
 
-  void stopFollowingLungs();
+  void stopFollowing();
+  /// True while corrected lungs are still drawn; `then` is done once they are.
+  bool waitsForLungs(std::function<void()> then);
   /// Corrects the lungs by edits that take a while. @param title of the job
   void correctByJob(const QString& title, std::function<std::vector<LungEdit>()> edits,
                     const QString& what);
@@ -402,6 +401,10 @@ class Document : public QObject {
   /// What follows the edits: the lobes, or how the fissures lie in the CT.
   void follow();
   void trace();
+
+  /// True while something follows the edits, or the lungs are being split.
+  bool followingFissures() const { return splitting() || jobs_.has(JobKind::TracingFissures); }
+
   /// Looks for fissures in the CT. @param then what to do once they are known
   void look(std::function<void()> then);
   /// False, and says so, if fissures cannot be edited because of another job.
@@ -420,19 +423,8 @@ class Document : public QObject {
   BreatheOptions breatheOptions_;
   std::optional<InputFile> breathFile_;     ///< that breatheOptions_.fit is of
   std::optional<InputFile> constantsFile_;  ///< that breatheOptions_.person is of
-  LobeJob lobeJob_ = LobeJob::None;
-  bool findingLungs_ = false;
-  bool growing_ = false;
-  bool breathing_ = false;
-  bool exporting_ = false;
-  bool followingLungs_ = false;
-  bool correctingLungs_ = false;  ///< by a job
-  int supersededFollowing_ = 0;   ///< jobs that are cancelled because there are newer corrections
-  bool drawingSeries_ = false;
-  bool comparing_ = false;
   std::shared_ptr<const MethodComparison> comparison_;
-  LungModel comparedIn_;     ///< the model as it was shown then
-  bool superseded_ = false;  ///< the job that is cancelled makes way for the next
+  LungModel comparedIn_;  ///< the model as it was shown then
   CtSheets sheets_;
   std::vector<Step> undo_;
   std::vector<Step> redo_;

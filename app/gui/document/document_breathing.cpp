@@ -90,30 +90,31 @@ bool Document::breathOutOfDate() const {
 }
 
 void Document::breathe() {
-  breathing_ = true;
+  if (waitsForLungs([this] { breathe(); })) return;
   std::vector<InputFile> measured;
   if (breatheOptions_.fit && breathFile_) measured.push_back(*breathFile_);
   if (breatheOptions_.person && constantsFile_) measured.push_back(*constantsFile_);
-  jobs_.push(tr("Breathing"), [this, before = snapshot_, options = breatheOptions_,
-                               measured](const Progress& progress) {
-    const auto start = std::chrono::steady_clock::now();
-    BreathingLungs lungs =
-        pneuma::breathe(before.model, options, progress.part(0.0, 0.85, "moving lungs"));
-    LungModel reported = before.model;
-    reported.inputs.insert(reported.inputs.end(), measured.begin(), measured.end());
-    Json report = breatheReport(reported, lungs, options);
-    progress.report(0.9);
-    Snapshot next = before;
-    next.breath = breathOf(before.model, std::move(lungs), options, std::move(report));
-    const double seconds = secondsSince(start);
-    return JobQueue::Continuation([this, seconds, next = std::move(next)] {
-      emit said(tr("Breathing in %1: %2 a breath, %3 breaths a minute")
-                    .arg(withUnit(seconds, 1, "s"),
-                         withUnit(1000.0 * next.breath->lungs.cycle.tidal, 0, "mL"),
-                         withUnit(60.0 / next.breath->lungs.drive.period, 1, "")));
-      become(next, tr("breathe"));
-    });
-  });
+  jobs_.push(
+      JobKind::Breathing, tr("Breathing"),
+      [this, before = snapshot_, options = breatheOptions_, measured](const Progress& progress) {
+        const auto start = std::chrono::steady_clock::now();
+        BreathingLungs lungs =
+            pneuma::breathe(before.model, options, progress.part(0.0, 0.85, "moving lungs"));
+        LungModel reported = before.model;
+        reported.inputs.insert(reported.inputs.end(), measured.begin(), measured.end());
+        Json report = breatheReport(reported, lungs, options);
+        progress.report(0.9);
+        Snapshot next = before;
+        next.breath = breathOf(before.model, std::move(lungs), options, std::move(report));
+        const double seconds = secondsSince(start);
+        return JobQueue::Continuation([this, seconds, next = std::move(next)] {
+          emit said(tr("Breathing in %1: %2 a breath, %3 breaths a minute")
+                        .arg(withUnit(seconds, 1, "s"),
+                             withUnit(1000.0 * next.breath->lungs.cycle.tidal, 0, "mL"),
+                             withUnit(60.0 / next.breath->lungs.drive.period, 1, "")));
+          become(next, tr("breathe"));
+        });
+      });
 }
 
 void Document::saveBreath(const std::filesystem::path& path) {

@@ -9,6 +9,7 @@
 namespace pneuma {
 
 void Document::compareMethods() {
+  if (waitsForLungs([this] { compareMethods(); })) return;
   bool there = comparison_ != nullptr;
   for (std::size_t i = 0; there && i < optionsOf_.size(); ++i) {
     there = comparison_->growths[i]->options == optionsOf_[i];
@@ -17,22 +18,21 @@ void Document::compareMethods() {
     emit compared();
     return;
   }
-  comparing_ = true;
-  jobs_.push(tr("Comparing methods"), [this, model = snapshot_.model,
-                                       options = optionsOf_](const Progress& progress) {
-    auto found =
-        std::make_shared<MethodComparison>(pneuma::compareMethods(model, options, progress));
-    return JobQueue::Continuation([this, model, found = std::move(found)] {
-      comparison_ = found;
-      comparedIn_ = model;
-      double seconds = 0.0;
-      for (const auto& growth : found->growths) seconds += growth->growSeconds;
-      emit said(
-          tr("Grown by %1 in %2: nothing was changed until you keep a tree")
-              .arg(counted(found->growths.size(), "method", "methods"), withUnit(seconds, 1, "s")));
-      emit compared();
-    });
-  });
+  jobs_.push(JobKind::Comparing, tr("Comparing methods"),
+             [this, model = snapshot_.model, options = optionsOf_](const Progress& progress) {
+               auto found = std::make_shared<MethodComparison>(
+                   pneuma::compareMethods(model, options, progress));
+               return JobQueue::Continuation([this, model, found = std::move(found)] {
+                 comparison_ = found;
+                 comparedIn_ = model;
+                 double seconds = 0.0;
+                 for (const auto& growth : found->growths) seconds += growth->growSeconds;
+                 emit said(tr("Grown by %1 in %2: nothing was changed until you keep a tree")
+                               .arg(counted(found->growths.size(), "method", "methods"),
+                                    withUnit(seconds, 1, "s")));
+                 emit compared();
+               });
+             });
 }
 
 void Document::keepCompared(std::size_t method) {

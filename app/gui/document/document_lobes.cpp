@@ -50,7 +50,7 @@ std::shared_ptr<const SheetnessImage> Document::sheets(Side side) const {
 }
 
 bool Document::mayEdit() {
-  if (!jobs_.busy() || lobeJob_ != LobeJob::None) return true;
+  if (!jobs_.busy() || lookingForFissures() || followingFissures()) return true;
   emit said(tr("A job is running: cancel it or wait before editing fissures."));
   return false;
 }
@@ -81,11 +81,7 @@ void Document::setSnapping(bool on) {
 
 void Document::take(const LobeEdits& edits, const QString& what) {
   // What follows the edits before is of no use any more; what shows in the CT still is.
-  if (lobeJob_ == LobeJob::Tracing || lobeJob_ == LobeJob::Splitting) {
-    superseded_ = true;
-    jobs_.cancel();
-    lobeJob_ = LobeJob::None;
-  }
+  jobs_.supersede({JobKind::TracingFissures, JobKind::Splitting});
   Snapshot next = snapshot_;
   next.lobeEdits = edits;
   become(std::move(next), what);
@@ -104,10 +100,10 @@ void Document::follow() {
 }
 
 void Document::look(std::function<void()> then) {
-  lobeJob_ = LobeJob::Looking;
   jobs_.push(
-      tr("Looking for fissures"), [this, then = std::move(then), lungs = snapshot_.lungs,
-                                   model = wholeOf(snapshot_.model)](const Progress& progress) {
+      JobKind::LookingForFissures, tr("Looking for fissures"),
+      [this, then = std::move(then), lungs = snapshot_.lungs,
+       model = wholeOf(snapshot_.model)](const Progress& progress) {
         CtSheets found{model.ct, model.labels, {}};
         for (const auto& lung : lungs) {
           const auto count = static_cast<double>(lungs.size());
@@ -117,7 +113,6 @@ void Document::look(std::function<void()> then) {
         }
         return JobQueue::Continuation([this, then, found = std::move(found)] {
           sheets_ = found;
-          lobeJob_ = LobeJob::None;
           then();
         });
       });
@@ -125,8 +120,7 @@ void Document::look(std::function<void()> then) {
 
 void Document::trace() {
   if (snapshot_.traces && snapshot_.traces->edits == snapshot_.lobeEdits) return;
-  lobeJob_ = LobeJob::Tracing;
-  jobs_.push(tr("Following fissures"),
+  jobs_.push(JobKind::TracingFissures, tr("Following fissures"),
              [this, before = snapshot_, sheets = sheets_.of](const Progress& progress) {
                TracedFissures fissures;
                for (std::size_t i = 0; i < before.lungs.size(); ++i) {
@@ -144,7 +138,6 @@ void Document::trace() {
                }
                auto traces = fissureTraces(before.lobeEdits, std::move(fissures));
                return JobQueue::Continuation([this, traces = std::move(traces)] {
-                 lobeJob_ = LobeJob::None;
                  snapshot_.traces = traces;
                  emit changed();
                });
@@ -152,6 +145,7 @@ void Document::trace() {
 }
 
 void Document::splitLobes() {
+  if (waitsForLungs([this] { splitLobes(); })) return;
   const QString name = tr("split lungs into lobes");
   if (canSplit() && !sheetsKnown() && snapObstacle().isEmpty()) {
     look([this, name] { split(name); });
@@ -161,32 +155,32 @@ void Document::splitLobes() {
 }
 
 void Document::split(const QString& stepName) {
-  lobeJob_ = LobeJob::Splitting;
-  jobs_.push(tr("Splitting lungs"), [this, stepName, before = snapshot_,
-                                     known = sheetsKnown() ? sheets_.of : decltype(sheets_.of)()](
-                                        const Progress& progress) {
-    const auto start = std::chrono::steady_clock::now();
-    LobeInputs inputs = inputsOf(before.lobeEdits);
-    inputs.sheets = known;
-    Snapshot next =
-        nextSnapshot(before, withLobes(before.model, inputs, before.lobeEdits.options, progress));
-    next.splitEdits = before.lobeEdits;
-    next.traces = fissureTraces(before.lobeEdits, tracedFissures(*next.model.lobes, inputs.given));
-    const double seconds = secondsSince(start);
-    return JobQueue::Continuation([this, stepName, seconds, next = std::move(next)] {
-      lobeJob_ = LobeJob::None;
-      emit said(tr("Split in %1: %2")
-                    .arg(withUnit(seconds, 1, "s"),
-                         counted(next.model.surfaces->size(), "lobe", "lobes")));
-      if (!stepName.isEmpty()) {
-        become(next, stepName);
-        return;
-      }
-      snapshot_ = next;
-      snapshot_.revision = ++lastRevision_;
-      emit changed();
-    });
-  });
+  jobs_.push(
+      JobKind::Splitting, tr("Splitting lungs"),
+      [this, stepName, before = snapshot_,
+       known = sheetsKnown() ? sheets_.of : decltype(sheets_.of)()](const Progress& progress) {
+        const auto start = std::chrono::steady_clock::now();
+        LobeInputs inputs = inputsOf(before.lobeEdits);
+        inputs.sheets = known;
+        Snapshot next = nextSnapshot(
+            before, withLobes(before.model, inputs, before.lobeEdits.options, progress));
+        next.splitEdits = before.lobeEdits;
+        next.traces =
+            fissureTraces(before.lobeEdits, tracedFissures(*next.model.lobes, inputs.given));
+        const double seconds = secondsSince(start);
+        return JobQueue::Continuation([this, stepName, seconds, next = std::move(next)] {
+          emit said(tr("Split in %1: %2")
+                        .arg(withUnit(seconds, 1, "s"),
+                             counted(next.model.surfaces->size(), "lobe", "lobes")));
+          if (!stepName.isEmpty()) {
+            become(next, stepName);
+            return;
+          }
+          snapshot_ = next;
+          snapshot_.revision = ++lastRevision_;
+          emit changed();
+        });
+      });
 }
 
 }  // namespace pneuma

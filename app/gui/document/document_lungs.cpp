@@ -22,8 +22,6 @@ bool hasLungs(const LabelImage& labels) {
 
 }  // namespace
 
-QString Document::followingTitle() { return tr("Drawing the corrected lungs"); }
-
 QString Document::correctionObstacle() const {
   if (!idle()) return tr("A job is running");
   const LungModel& model = snapshot_.model;
@@ -47,7 +45,7 @@ void Document::correctLungs(LungEdit edit, std::shared_ptr<const LabelImage> lab
 
 void Document::becomeCorrected(std::vector<LungEdit> edits,
                                std::shared_ptr<const LabelImage> labels, const QString& what) {
-  stopFollowingLungs();
+  stopFollowing();
   Snapshot next =
       nextSnapshot(snapshot_, withEdits(snapshot_.model, std::move(edits), std::move(labels)));
   next.splitEdits = {};
@@ -65,19 +63,19 @@ void Document::correctByJob(const QString& title, std::function<std::vector<Lung
     emit said(obstacle);
     return;
   }
-  correctingLungs_ = true;
-  jobs_.push(title, [this, edits = std::move(edits), what, ct = snapshot_.model.ct,
-                     labels = snapshot_.model.labels](const Progress& progress) {
-    std::vector<LungEdit> read = edits();
-    auto edited = std::make_shared<const LabelImage>(editedLabels(*ct, *labels, read, progress));
-    return JobQueue::Continuation(
-        [this, read = std::move(read), edited = std::move(edited), labels, what] {
-          correctingLungs_ = false;
-          // Undone or replaced in the meantime: these edits were of something else.
-          if (snapshot_.model.labels != labels || read.empty()) return;
-          becomeCorrected(read, edited, what);
-        });
-  });
+  jobs_.push(JobKind::CorrectingLungs, title,
+             [this, edits = std::move(edits), what, ct = snapshot_.model.ct,
+              labels = snapshot_.model.labels](const Progress& progress) {
+               std::vector<LungEdit> read = edits();
+               auto edited =
+                   std::make_shared<const LabelImage>(editedLabels(*ct, *labels, read, progress));
+               return JobQueue::Continuation(
+                   [this, read = std::move(read), edited = std::move(edited), labels, what] {
+                     // Undone or replaced in the meantime: these edits were of something else.
+                     if (snapshot_.model.labels != labels || read.empty()) return;
+                     becomeCorrected(read, edited, what);
+                   });
+             });
 }
 
 void Document::growSeed(LungEdit seed, const QString& what) {
@@ -107,42 +105,48 @@ void Document::saveLungEdits(const std::filesystem::path& path) {
   });
 }
 
-void Document::stopFollowingLungs() {
-  if (!followingLungs_) return;
-  followingLungs_ = false;
-  ++supersededFollowing_;
-  jobs_.cancel();
+void Document::stopFollowing() {
+  jobs_.supersede({JobKind::FollowingLungs, JobKind::TracingFissures});
+}
+
+bool Document::waitsForLungs(std::function<void()> then) {
+  if (!followingLungs()) return false;
+  jobs_.push(tr("Waiting for the lungs"), [this, then = std::move(then)](const Progress&) {
+    return JobQueue::Continuation([this, then] {
+      if (snapshot_.lungsFollow()) then();
+    });
+  });
+  return true;
 }
 
 void Document::followLungs() {
   const LungModel& now = snapshot_.model;
-  if (snapshot_.lungsFollow() || !now.ct || !now.labels || followingLungs_) return;
-  followingLungs_ = true;
-  jobs_.push(followingTitle(), [this, before = snapshot_](const Progress& progress) {
-    LungModel model = measuredAgain(before.model, before.lungOptions.thresholdHu,
-                                    progress.part(0.0, 0.3, "measuring"));
-    if (hasLungs(*model.labels)) {
-      model = withSurfaces(model, {}, progress.part(0.3, 0.95, "drawing surfaces"));
-    } else {
-      model.surfaces = nullptr;
-    }
-    Snapshot next = nextSnapshot(before, std::move(model));
-    // Places in the patient stay where they are.
-    next.lobeEdits = before.lobeEdits;
-    next.regions = before.regions;
-    next.drawn = next.model.corrections;
-    return JobQueue::Continuation([this, next = std::move(next)] {
-      followingLungs_ = false;
-      snapshot_ = next;
-      snapshot_.revision = ++lastRevision_;
-      if (const auto& lungs = snapshot_.model.lungs) {
-        emit said(tr("Corrected: right lung %1, left lung %2")
-                      .arg(withUnit(lungs->right.volumeMl, 0, "mL"),
-                           withUnit(lungs->left.volumeMl, 0, "mL")));
-      }
-      emit changed();
-    });
-  });
+  if (snapshot_.lungsFollow() || !now.ct || !now.labels || followingLungs()) return;
+  jobs_.push(JobKind::FollowingLungs, tr("Drawing the corrected lungs"),
+             [this, before = snapshot_](const Progress& progress) {
+               LungModel model = measuredAgain(before.model, before.lungOptions.thresholdHu,
+                                               progress.part(0.0, 0.3, "measuring"));
+               if (hasLungs(*model.labels)) {
+                 model = withSurfaces(model, {}, progress.part(0.3, 0.95, "drawing surfaces"));
+               } else {
+                 model.surfaces = nullptr;
+               }
+               Snapshot next = nextSnapshot(before, std::move(model));
+               // Places in the patient stay where they are.
+               next.lobeEdits = before.lobeEdits;
+               next.regions = before.regions;
+               next.drawn = next.model.corrections;
+               return JobQueue::Continuation([this, next = std::move(next)] {
+                 snapshot_ = next;
+                 snapshot_.revision = ++lastRevision_;
+                 if (const auto& lungs = snapshot_.model.lungs) {
+                   emit said(tr("Corrected: right lung %1, left lung %2")
+                                 .arg(withUnit(lungs->right.volumeMl, 0, "mL"),
+                                      withUnit(lungs->left.volumeMl, 0, "mL")));
+                 }
+                 emit changed();
+               });
+             });
 }
 
 void Document::restoreLabels() {

@@ -131,20 +131,16 @@ void Document::listSeries() {
 
 void Document::drawSeries(const SeriesList& list) {
   for (std::size_t row = 0; row < list.rows.size(); ++row) {
-    jobs_.push(tr("Drawing the series"), [this, list, row](const Progress&) {
-      return [this, list, row, picture = thumbnailOf((*list.series)[row], ThumbnailPixels)] {
-        emit seriesDrawn(list, static_cast<int>(row), picture);
-      };
-    });
+    jobs_.push(
+        JobKind::DrawingSeries, tr("Drawing the series"), [this, list, row](const Progress&) {
+          return [this, list, row, picture = thumbnailOf((*list.series)[row], ThumbnailPixels)] {
+            emit seriesDrawn(list, static_cast<int>(row), picture);
+          };
+        });
   }
-  drawingSeries_ = true;
 }
 
-void Document::stopDrawing() {
-  if (!std::exchange(drawingSeries_, false) || !jobs_.busy()) return;
-  superseded_ = true;
-  jobs_.cancel();
-}
+void Document::stopDrawing() { jobs_.supersede({JobKind::DrawingSeries}); }
 
 void Document::locateCt(const std::filesystem::path& path) {
   if (!ctMissing()) return;

@@ -33,9 +33,10 @@ std::string sentenceOfException(const std::string& after) {
 struct JobQueue::Job final : ProgressSink {
   enum class Outcome { Finished, Cancelled, Failed };
 
+  JobKind kind = JobKind::Other;
   std::string title;
   Compute compute;
-  std::uint64_t epoch = 0;
+  std::uint64_t number = 0;  ///< as they were pushed, from 1
 
   std::atomic<double> fraction = 0.0;
   std::atomic<bool> stop = false;
@@ -94,30 +95,56 @@ JobQueue::~JobQueue() {
   if (running_) running_->stop = true;
 }
 
-void JobQueue::push(const QString& title, Compute compute) {
+void JobQueue::push(JobKind kind, const QString& title, Compute compute) {
   auto job = std::make_shared<Job>();
+  job->kind = kind;
   job->title = title.toStdString();
   job->compute = std::move(compute);
-  job->epoch = epoch_;
+  job->number = last_ + 1;
   {
     const std::lock_guard lock(mutex_);
     waiting_.push_back(std::move(job));
   }
   wake_.notify_one();
+  ++last_;
+  ++of(kind).pending;
   timer_.start();
   if (++pending_ == 1) emit busyChanged(true);
 }
 
 void JobQueue::cancel() {
-  ++epoch_;
+  cancelledUpTo_ = last_;
   const std::lock_guard lock(mutex_);
-  // Those that wait are handed over like those that ran, so that each is answered once.
+  // Those that wait are handed over like those that ran, so that each is answered.
   for (auto& job : waiting_) {
     job->outcome = Job::Outcome::Cancelled;
     done_.push_back(std::move(job));
   }
   waiting_.clear();
   if (running_) running_->stop = true;
+}
+
+void JobQueue::supersede(std::initializer_list<JobKind> kinds) {
+  for (const JobKind kind : kinds) of(kind) = {0, last_};
+  const std::lock_guard lock(mutex_);
+  // Those that wait stop at once when it is their turn.
+  for (const auto& job : waiting_) job->stop = job->stop || isSuperseded(*job);
+  if (running_ && isSuperseded(*running_)) running_->stop = true;
+}
+
+bool JobQueue::hasOthersThan(std::initializer_list<JobKind> kinds) const {
+  int pending = 0;
+  for (const OfOneKind& one : kinds_) pending += one.pending;
+  for (const JobKind kind : kinds) pending -= of(kind).pending;
+  return pending > 0;
+}
+
+bool JobQueue::isSuperseded(const Job& job) const {
+  return job.number <= of(job.kind).supersededUpTo;
+}
+
+bool JobQueue::isVoid(const Job& job) const {
+  return job.number <= cancelledUpTo_ || isSuperseded(job);
 }
 
 void JobQueue::work(const std::stop_token& stop) {
@@ -153,7 +180,7 @@ void JobQueue::collect() {
 }
 
 void JobQueue::tellProgress(Job& job) {
-  if (job.epoch != epoch_) return;
+  if (isVoid(job)) return;
   std::string what;
   {
     const std::lock_guard lock(job.whatMutex);
@@ -163,7 +190,7 @@ void JobQueue::tellProgress(Job& job) {
 }
 
 void JobQueue::tellPoints(Job& job) {
-  if (job.epoch != epoch_) return;
+  if (isVoid(job)) return;
   if (sincePoints_.isValid() && !sincePoints_.hasExpired(TellPointsEveryMs)) return;
   std::vector<Vec3> points;
   {
@@ -177,9 +204,11 @@ void JobQueue::tellPoints(Job& job) {
 
 void JobQueue::deliver(Job& job) {
   const QString title = QString::fromStdString(job.title);
-  if (job.epoch != epoch_ || job.outcome == Job::Outcome::Cancelled) {
+  const bool superseded = isSuperseded(job);
+  if (!superseded) --of(job.kind).pending;
+  if (isVoid(job) || job.outcome == Job::Outcome::Cancelled) {
     job.continuation = nullptr;
-    emit cancelled(title);
+    if (!superseded) emit cancelled(title, job.kind);
   } else if (job.outcome == Job::Outcome::Failed) {
     emit failed(title, QString::fromStdString(job.sentence));
   } else {

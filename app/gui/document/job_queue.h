@@ -4,10 +4,12 @@
 #include <QObject>
 #include <QString>
 #include <QTimer>
+#include <array>
 #include <condition_variable>
 #include <cstdint>
 #include <deque>
 #include <functional>
+#include <initializer_list>
 #include <memory>
 #include <mutex>
 #include <stop_token>
@@ -18,6 +20,22 @@
 #include "core/progress.h"
 
 namespace pneuma {
+
+/// What a job is for, where anybody asks whether such a job runs.
+enum class JobKind {
+  Other,
+  FindingLungs,
+  FollowingLungs,   ///< what follows corrections of the lungs
+  CorrectingLungs,  ///< by edits that take a while
+  LookingForFissures,
+  TracingFissures,
+  Splitting,
+  Growing,
+  Comparing,
+  Breathing,
+  Exporting,      ///< a case or its report
+  DrawingSeries,  // last: JobQueue counts up to it
+};
 
 /// Runs long work one job after the other on a thread of its own and delivers the results on the
 /// thread the queue lives on.
@@ -31,7 +49,8 @@ class JobQueue : public QObject {
   /// What is left to do with a result, on the queue's thread.
   using Continuation = std::function<void()>;
 
-  /// The work itself, on the worker. What it throws becomes failed() or cancelled().
+  /// The work itself, on the worker. What it throws becomes failed() or cancelled(), unless it is
+  /// superseded.
   using Compute = std::function<Continuation(const Progress& progress)>;
 
   /// So many points wait at most to be told by placed(), 48 MB of them; what a job places while
@@ -44,14 +63,28 @@ class JobQueue : public QObject {
   ~JobQueue() override;
 
   /// @param title what people read while it runs, for example "Growing airways"
-  void push(const QString& title, Compute compute);
+  void push(JobKind kind, const QString& title, Compute compute);
+
+  void push(const QString& title, Compute compute) {
+    push(JobKind::Other, title, std::move(compute));
+  }
 
   /// Stops what runs and forgets what waits. A result that is ready but not delivered yet is thrown
   /// away too: after cancel() no continuation of an earlier push() runs.
   void cancel();
 
+  /// As cancel(), of such jobs alone, which something newer makes useless: cancelled() is not told,
+  /// and has() is false.
+  void supersede(std::initializer_list<JobKind> kinds);
+
   /// True from push() until the last job's result has been delivered, thrown away or failed.
   bool busy() const { return pending_ > 0; }
+
+  /// True from push() until a job of this kind is about to be delivered or thrown away, or failed.
+  bool has(JobKind kind) const { return of(kind).pending > 0; }
+
+  /// True while has() is true of any kind but these.
+  bool hasOthersThan(std::initializer_list<JobKind> kinds) const;
 
  signals:
   void busyChanged(bool busy);
@@ -65,7 +98,7 @@ class JobQueue : public QObject {
   void placed(const std::vector<pneuma::Vec3>& points);
 
   void finished(const QString& title);
-  void cancelled(const QString& title);
+  void cancelled(const QString& title, pneuma::JobKind kind);
 
   /// @param sentence what is wrong and what to do
   void failed(const QString& title, const QString& sentence);
@@ -73,6 +106,19 @@ class JobQueue : public QObject {
  private:
   struct Job;
 
+  struct OfOneKind {
+    int pending = 0;                   ///< and not superseded
+    std::uint64_t supersededUpTo = 0;  ///< which job, as they were pushed
+  };
+
+  static constexpr std::size_t Kinds = static_cast<std::size_t>(JobKind::DrawingSeries) + 1;
+
+  OfOneKind& of(JobKind kind) { return kinds_[static_cast<std::size_t>(kind)]; }
+
+  const OfOneKind& of(JobKind kind) const { return kinds_[static_cast<std::size_t>(kind)]; }
+
+  bool isSuperseded(const Job& job) const;
+  bool isVoid(const Job& job) const;
   void work(const std::stop_token& stop);
   void collect();
   void deliver(Job& job);
@@ -82,7 +128,9 @@ class JobQueue : public QObject {
   QTimer timer_;
   QElapsedTimer sincePoints_;
   int pending_ = 0;
-  std::uint64_t epoch_ = 0;  ///< raised by cancel(): results of an earlier epoch are void
+  std::array<OfOneKind, Kinds> kinds_{};
+  std::uint64_t last_ = 0;           ///< job, as they were pushed
+  std::uint64_t cancelledUpTo_ = 0;  ///< which job
 
   std::mutex mutex_;  ///< guards the three below
   std::deque<std::shared_ptr<Job>> waiting_;
@@ -93,3 +141,5 @@ class JobQueue : public QObject {
 };
 
 }  // namespace pneuma
+
+Q_DECLARE_METATYPE(pneuma::JobKind)
