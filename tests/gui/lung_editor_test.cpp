@@ -56,6 +56,13 @@ class LungEditorTest : public ::testing::Test {
     editor.release();
   }
 
+  /// Paints the right lung, 20 mm around a line of so many mm from beside the lungs on.
+  void paintRight(double length) {
+    editor.setChoice(LungEditor::Choice::Right);
+    editor.setRadius(20.0);
+    draw(Tool::Brush, BesideLungs, BesideLungs + Vec3(length, 0.0, 0.0));
+  }
+
   static std::size_t count(const Document& one, std::uint8_t label) {
     const auto& voxels = one.model().labels->voxels;
     return static_cast<std::size_t>(std::count(voxels.begin(), voxels.end(), label));
@@ -78,9 +85,7 @@ TEST_F(LungEditorTest, AStrokeIsOneStepWithAName) {
   openChest(document);
   const auto found = document.model().labels;
   const double foundMl = document.model().lungs->right.volumeMl;
-  editor.setChoice(LungEditor::Choice::Right);
-  editor.setRadius(20.0);
-  draw(Tool::Brush, BesideLungs, BesideLungs + Vec3(40.0, 0.0, 0.0));
+  paintRight(40.0);
   EXPECT_EQ(document.undoName(), "paint right lung");
   EXPECT_TRUE(document.followingLungs());
   ASSERT_TRUE(idle(document));
@@ -219,9 +224,7 @@ TEST_F(LungEditorTest, LobesAndWhatGrewAreGoneAndComeBack) {
 
 TEST_F(LungEditorTest, AProjectKeepsCorrectionsAndTheirSteps) {
   openChest(document);
-  editor.setRadius(20.0);
-  editor.setChoice(LungEditor::Choice::Right);
-  draw(Tool::Brush, BesideLungs, BesideLungs + Vec3(20.0, 0.0, 0.0));
+  paintRight(20.0);
   draw(Tool::Eraser, BesideLungs, BesideLungs);
   ASSERT_TRUE(idle(document));
   document.saveProject(at("case.pneuma"), CtStorage::Linked, Json::object(), {});
@@ -253,9 +256,7 @@ TEST_F(LungEditorTest, AProjectKeepsCorrectionsAndTheirSteps) {
 
 TEST_F(LungEditorTest, LobesAreThoseOfCorrectedLungsThatAreStillDrawn) {
   openChest(document);
-  editor.setChoice(LungEditor::Choice::Right);
-  editor.setRadius(20.0);
-  draw(Tool::Brush, BesideLungs, BesideLungs);
+  paintRight(0.0);
   ASSERT_TRUE(document.followingLungs());
   document.splitLobes();
   EXPECT_FALSE(document.canUndo());
@@ -271,9 +272,7 @@ TEST_F(LungEditorTest, LobesAreThoseOfCorrectedLungsThatAreStillDrawn) {
 
 TEST_F(LungEditorTest, WhatWasNotDrawnYetIsDrawnAfterOpening) {
   openChest(document);
-  editor.setChoice(LungEditor::Choice::Right);
-  editor.setRadius(20.0);
-  draw(Tool::Brush, BesideLungs, BesideLungs);
+  paintRight(0.0);
   ASSERT_TRUE(document.followingLungs());
   writeProject(at("early.pneuma"), document.projectNow());  // as recovery would
   ASSERT_TRUE(idle(document));

@@ -226,29 +226,20 @@ void Document::forgetOldSteps() {
 }
 
 void Document::undo() {
-  if (!canUndo()) return;
-  stopFollowing();
-  Step step = std::move(undo_.back());
-  undo_.pop_back();
-  redo_.push_back(
-      {step.name, withoutMadeLabels(std::exchange(snapshot_, std::move(step.snapshot)))});
-  restoreLabels();
-  emit said(tr("Undone: %1").arg(step.name));
-  followRegions();
-  emit changed();
-  followLungs();
-  if (!snapshot_.model.lobes) follow();
+  if (canUndo()) showStep(undo_, redo_, tr("Undone: %1"));
 }
 
 void Document::redo() {
-  if (!canRedo()) return;
+  if (canRedo()) showStep(redo_, undo_, tr("Redone: %1"));
+}
+
+void Document::showStep(std::vector<Step>& from, std::vector<Step>& to, const QString& sentence) {
   stopFollowing();
-  Step step = std::move(redo_.back());
-  redo_.pop_back();
-  undo_.push_back(
-      {step.name, withoutMadeLabels(std::exchange(snapshot_, std::move(step.snapshot)))});
+  Step step = std::move(from.back());
+  from.pop_back();
+  to.push_back({step.name, withoutMadeLabels(std::exchange(snapshot_, std::move(step.snapshot)))});
   restoreLabels();
-  emit said(tr("Redone: %1").arg(step.name));
+  emit said(sentence.arg(step.name));
   followRegions();
   emit changed();
   followLungs();

@@ -364,6 +364,10 @@ class Document : public QObject {
     Snapshot snapshot;
   };
 
+  /// Puts the last step of `from` in place of what is shown, which goes to `to`.
+  /// @param sentence to be told, of the step's name
+  void showStep(std::vector<Step>& from, std::vector<Step>& to, const QString& sentence);
+
   void findLungs(StepKind kind);
 
   /// True if nothing runs but what follows from what is shown, which stopFollowing() ends.
@@ -401,10 +405,6 @@ class Document : public QObject {
   /// What follows the edits: the lobes, or how the fissures lie in the CT.
   void follow();
   void trace();
-
-  /// True while something follows the edits, or the lungs are being split.
-  bool followingFissures() const { return splitting() || jobs_.has(JobKind::TracingFissures); }
-
   /// Looks for fissures in the CT. @param then what to do once they are known
   void look(std::function<void()> then);
   /// False, and says so, if fissures cannot be edited because of another job.

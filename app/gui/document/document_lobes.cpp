@@ -50,7 +50,8 @@ std::shared_ptr<const SheetnessImage> Document::sheets(Side side) const {
 }
 
 bool Document::mayEdit() {
-  if (!jobs_.busy() || lookingForFissures() || followingFissures()) return true;
+  if (!jobs_.busy() || lookingForFissures() || splitting() || jobs_.has(JobKind::TracingFissures))
+    return true;
   emit said(tr("A job is running: cancel it or wait before editing fissures."));
   return false;
 }

@@ -128,7 +128,9 @@ void JobQueue::supersede(std::initializer_list<JobKind> kinds) {
   for (const JobKind kind : kinds) of(kind) = {0, last_};
   const std::lock_guard lock(mutex_);
   // Those that wait stop at once when it is their turn.
-  for (const auto& job : waiting_) job->stop = job->stop || isSuperseded(*job);
+  for (const auto& job : waiting_) {
+    if (isSuperseded(*job)) job->stop = true;
+  }
   if (running_ && isSuperseded(*running_)) running_->stop = true;
 }
 
